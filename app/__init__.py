@@ -1,0 +1,1 @@
+"""Halfway: the course in local shading that you can touch."""

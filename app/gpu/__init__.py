@@ -1,0 +1,1 @@
+"""The only moderngl: contexts, programs, evaluating a function, drawing a scene."""

@@ -1,0 +1,130 @@
+"""Our own OpenGL context without a window: one per process, surfaceless EGL where it exists.
+
+VTK and pyrender terminate the EGL display they share with moderngl's own backend; the surfaceless platform is a display
+that nobody else closes. `with context():` makes it current again after somebody else took the thread.
+"""
+
+import ctypes
+import sys
+from functools import cache
+
+import moderngl
+
+from app import shader
+from app.problem import Problem
+
+SURFACELESS, OPENGL_API, NONE = 0x31DD, 0x30A2, 0x3038
+SURFACE_TYPE, PBUFFER_BIT, RENDERABLE_TYPE, OPENGL_BIT = 0x3033, 0x0001, 0x3040, 0x0008
+MAJOR, MINOR, PROFILE_MASK, CORE_PROFILE_BIT = 0x3098, 0x30FB, 0x30FD, 0x0001
+DRAW, READ = 0x3059, 0x305A
+Pointer = ctypes.c_void_p
+
+
+class SurfacelessContext:
+    """What moderngl.create_context(context=...) asks for, over EGL's surfaceless platform (EGL_MESA_platform_surfaceless)."""
+
+    def __init__(self) -> None:
+        self.egl = egl = ctypes.CDLL("libEGL.so.1")
+        for name in ("CurrentContext", "CurrentDisplay", "CurrentSurface", "ProcAddress"):
+            getattr(egl, f"eglGet{name}").restype = Pointer
+        egl.eglCreateContext.restype = Pointer
+        egl.eglGetProcAddress.argtypes = [ctypes.c_char_p]
+        entry = self.must(egl.eglGetProcAddress(b"eglGetPlatformDisplayEXT"), "eglGetPlatformDisplayEXT")
+        platform_display = ctypes.CFUNCTYPE(Pointer, ctypes.c_uint, Pointer, Pointer)(entry)
+        self.display = Pointer(self.must(platform_display(SURFACELESS, None, None), "the surfaceless display"))
+        self.must(egl.eglInitialize(self.display, None, None), "eglInitialize")
+        self.must(egl.eglBindAPI(OPENGL_API), "eglBindAPI")
+        config, count = Pointer(), ctypes.c_int()
+        wanted = self.ints(RENDERABLE_TYPE, OPENGL_BIT, SURFACE_TYPE, PBUFFER_BIT, NONE)
+        egl.eglChooseConfig(self.display, wanted, ctypes.byref(config), 1, ctypes.byref(count))
+        self.must(count.value, "eglChooseConfig")
+        version = self.ints(MAJOR, 3, MINOR, 3, PROFILE_MASK, CORE_PROFILE_BIT, NONE)
+        self.context = Pointer(self.must(egl.eglCreateContext(self.display, config, None, version), "eglCreateContext"))
+        self.outer: list[tuple] = []
+        self.make_current()
+
+    @staticmethod
+    def ints(*values: int):
+        return (ctypes.c_int * len(values))(*values)
+
+    @staticmethod
+    def must(value, what: str):
+        if not value:
+            raise OSError(f"EGL: {what} failed")
+        return value
+
+    def make_current(self) -> None:
+        self.must(self.egl.eglMakeCurrent(self.display, None, None, self.context), "eglMakeCurrent")
+
+    def load_opengl_function(self, name: str) -> int:
+        return self.egl.eglGetProcAddress(name.encode()) or 0
+
+    load = load_opengl_function
+
+    def __enter__(self) -> None:
+        egl = self.egl
+        now = (egl.eglGetCurrentDisplay(), egl.eglGetCurrentSurface(DRAW), egl.eglGetCurrentSurface(READ),
+               egl.eglGetCurrentContext())
+        self.outer.append(tuple(Pointer(x) for x in now))
+        self.make_current()
+
+    def __exit__(self, *exc) -> None:
+        display, draw, read, context = self.outer.pop()
+        if context:
+            self.egl.eglMakeCurrent(display, draw, read, context)
+
+    def release(self) -> None:
+        self.egl.eglDestroyContext(self.display, self.context)
+
+
+@cache
+def context() -> moderngl.Context:
+    """The process's own context for rendering without a window."""
+    tried = []
+    if sys.platform.startswith("linux"):
+        for way in (lambda: moderngl.create_context(require=330, context=SurfacelessContext()),
+                    lambda: moderngl.create_context(require=330, standalone=True, backend="egl")):
+            try:
+                return way()
+            except Exception as error:  # whatever a driver raises, the next way may work
+                tried.append(str(error))
+    try:
+        return moderngl.create_context(require=330, standalone=True)
+    except Exception as error:
+        tried.append(str(error))
+    raise Problem(f"OpenGL 3.3 without a window could not be started ({'; '.join(dict.fromkeys(tried))}). "
+                  "Run `halfway doctor`: it prints the command that mends it.") from None
+
+
+def kept(ctx: moderngl.Context) -> dict:
+    """What a context keeps for its lifetime: programs by their text, and a framebuffer of one pixel."""
+    if ctx.extra is None:
+        ctx.extra = {}
+    return ctx.extra
+
+
+def pixel(ctx: moderngl.Context) -> moderngl.Framebuffer:
+    """One pixel to stand on: a surfaceless context has no framebuffer, and without one nothing is drawn at all."""
+    if "pixel" not in kept(ctx):
+        kept(ctx)["pixel"] = ctx.simple_framebuffer((1, 1))
+    return kept(ctx)["pixel"]
+
+
+def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.Assembled | None = None,
+            varyings: tuple[str, ...] = ()) -> moderngl.Program:
+    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context."""
+    programs = kept(ctx)
+    key = vertex.text, fragment.text if fragment else "", varyings
+    if key not in programs:
+        try:
+            programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,
+                                         fragment_shader=fragment.text if fragment else None)
+        except moderngl.Error as error:
+            raise Problem(compiler_message(str(error), vertex, fragment)) from None
+    return programs[key]
+
+
+def compiler_message(message: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> str:
+    """The compiler's words at the file and line a person wrote."""
+    of_fragment = "fragment_shader" in message and fragment is not None
+    return shader.translate(message, fragment if of_fragment and fragment else vertex)

@@ -1,0 +1,249 @@
+"""What a chapter is made of: frozen data, no behaviour. A scene placed here can be played by any stage.
+
+What depends on a value lives in GLSL (the scene's functions) or is the name of a twin in `optics`; all else is constant.
+"""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+Number = float | tuple[float, ...]
+Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
+
+
+@dataclass(frozen=True)
+class Value:
+    """A quantity of the step a student can change: its name in `quantities`, and where this step narrows the table.
+
+    Angles are in degrees, as on screen. Every uniform of the scene that the table knows is a value without a word here.
+    """
+
+    name: str
+    default: Number | None = None
+    low: float | None = None
+    high: float | None = None
+    more: bool = False  # behind "more"
+    choices: tuple[str, ...] = ()  # an integer value whose numbers have names
+
+
+@dataclass(frozen=True)
+class Term:
+    """A twin by its name; an argument not named in `args` is the value of its own name, text names another value."""
+
+    function: str
+    args: dict[str, str | Number] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A grid of cells that `vec3 surface_point(int surface, vec2 s)` places, or the step's mesh placed by
+    `vec3 mesh_point(int surface, vec3 p)`; `vec3 shade(Surface s)` colours it. Its number is its place in the scene."""
+
+    name: str
+    cells: tuple[int, int] = (48, 24)
+    opacity: float = 1.0
+    mesh: bool = False
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A line that `vec3 mark_point(int mark, float t)` places, t from 0 to 1, drawn in the grammar of colour and line."""
+
+    name: str
+    colour: Colour = "exact"
+    line: Literal["solid", "dashed", "dotted", "dashdot"] = "solid"
+    tip: Literal["none", "arrow", "sun", "eye", "dot"] = "none"
+    segments: int = 1  # more than one for an arc
+    width: float = 1.0  # times the theme's line width
+    label: str = ""
+    label_at: float = 1.0  # the t of the label
+
+
+@dataclass(frozen=True)
+class Dots:
+    """Points that `vec3 dot_point(int i)` places and `vec4 dot_colour(int i)` colours (alpha 0 hides one)."""
+
+    count: int | str = 0  # a number, or the value that holds it
+    size: float = 1.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """Words at the point `vec4 probe(int i)`."""
+
+    text: str
+    probe: int
+    colour: Colour = "exact"
+
+
+@dataclass(frozen=True)
+class Handle:
+    """A thing to grab, at the point `vec4 probe(int i)`: a drag changes `values` so that the point follows the hand."""
+
+    name: str
+    probe: int
+    values: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Camera:
+    azimuth: float = -50.0  # degrees, from +x towards +y
+    elevation: float = 22.0  # degrees
+    distance: float = 6.0
+    target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    field_of_view: float = 30.0  # degrees, vertical
+
+
+@dataclass(frozen=True)
+class Scene:
+    glsl: str
+    surfaces: tuple[Surface, ...] = ()
+    marks: tuple[Mark, ...] = ()
+    dots: Dots | None = None
+    labels: tuple[Label, ...] = ()
+    handles: tuple[Handle, ...] = ()
+    camera: Camera = Camera()
+    meshes: tuple[str, ...] = ()  # built-in meshes of `meshes`, chosen by the value `shape`; a user's file replaces them
+    legend: tuple[tuple[Colour, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Readout:
+    """A live number: a twin at the step's values, in float64, or in float32 as the GPU computes it."""
+
+    label: str
+    term: Term
+    role: Literal["exact", "estimate", "printed", "number"] = "number"
+    precision: Literal["float64", "float32"] = "float64"
+    unit: str = "sr"
+    against: str = ""  # the label of the exact readout this one's error is taken against
+
+
+@dataclass(frozen=True)
+class Curve:
+    label: str
+    term: Term
+    role: Literal["exact", "estimate", "printed"] = "exact"
+    precision: Literal["float64", "float32"] = "float64"
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Twins against one swept value; the step's present value is marked. `error` plots |f/f_exact - 1| instead."""
+
+    title: str
+    sweep: str
+    curves: tuple[Curve, ...]
+    y_label: str
+    y_scale: Literal["linear", "log"] = "linear"
+    x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
+    error: bool = False
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A surface in a plot: a twin that gives a point for (s, t) in the unit square, as it is or projected."""
+
+    label: str
+    term: Term
+    onto: Literal["", "sphere", "disk"] = ""  # from the origin onto the unit sphere, or on down to the base disk
+    colour: Colour = "estimate"
+    cells: tuple[int, int] = (48, 48)
+    opacity: float = 1.0
+    height: Term | None = None  # colours the sheet by this twin's value at (s, t)
+    height_label: str = ""
+
+
+@dataclass(frozen=True)
+class Figure:
+    """Sheets in space, with the unit hemisphere or sphere and the base disk where asked."""
+
+    title: str
+    sheets: tuple[Sheet, ...] = ()
+    dome: Literal["", "hemisphere", "sphere"] = ""
+    disk: bool = False
+    camera: Camera = Camera()
+
+
+@dataclass(frozen=True)
+class Faces:
+    """The step's mesh in a plot, each face coloured by the solid angle it subtends at the value `eye`."""
+
+    title: str
+    camera: Camera = Camera()
+
+
+Plot = Curves | Figure | Faces
+
+
+@dataclass(frozen=True)
+class Choice:
+    """An answer to choose; it is right when the truth lies in [low, high]."""
+
+    text: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """Asked before it is told: a guess on a slider from `low` to `high`, or one of `choices`; the truth is a twin."""
+
+    question: str
+    truth: Term
+    unit: str
+    told: str  # what the reveal says
+    low: float = 0.0
+    high: float = 1.0
+    scale: Literal["linear", "log"] = "linear"
+    choices: tuple[Choice, ...] = ()
+    sets: dict[str, Number] = field(default_factory=dict)  # the state in which the truth is shown, and computed
+
+
+@dataclass(frozen=True)
+class Step:
+    name: str
+    title: str
+    idea: str  # the one sentence to take home
+    slides: tuple[str, ...]  # titles of the deck
+    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
+    scene: Scene
+    plot: Plot
+    readouts: tuple[Readout, ...]
+    ask: Prediction
+    notes: str  # for the lecturer
+    sources: tuple[str, ...]
+    honesty: str  # what is exact, fitted, approximated, left out
+    values: tuple[Value, ...] = ()
+    minutes: float = 4.0
+    beyond: bool = False  # beyond the deck
+
+
+@dataclass(frozen=True)
+class Check:
+    """Points at which a student's function is compared with the twin: argument name to numbers."""
+
+    args: dict[str, tuple]
+    words: str
+    hidden: bool = False
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """Write this twin. The stub must fail and the solution must pass in each language."""
+
+    name: str
+    function: str
+    task: str
+    slide: str
+    stubs: dict[str, str]  # "python" and "glsl"
+    solutions: dict[str, str]
+    checks: tuple[Check, ...]
+
+
+@dataclass(frozen=True)
+class Chapter:
+    title: str
+    idea: str
+    steps: tuple[Step, ...]
+    exercises: tuple[Exercise, ...] = ()
+    terms: dict[str, str] = field(default_factory=dict)  # glossary, found by the search

@@ -1,0 +1,212 @@
+"""Shader text: a scene's includes and functions put together, without what nothing calls. Pure text, no GL.
+
+`assemble` follows `#include "optics/cone.glsl"` lines depth first, each file once, keeps only the declarations that can
+be reached from the entry points, and remembers the (file, line) of every line so that `translate` can turn a compiler's
+message back to what a person wrote.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from app.paths import GLSL
+from app.problem import Problem, near
+
+DESKTOP = ("#version 330 core",)
+WEB = ("#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2D;")
+INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"\s*$')
+SIGNATURE = re.compile(r"^(\w+)\s+(\w+)\s*\(([^)]*)\)\s*\{", re.M)
+WORD = re.compile(r"[A-Za-z_]\w*")
+MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
+
+
+@dataclass(frozen=True)
+class Line:
+    text: str
+    file: str
+    number: int
+
+
+@dataclass(frozen=True)
+class Block:
+    """A top-level declaration: its lines, what it names and which words it uses."""
+
+    lines: tuple[Line, ...]
+    names: frozenset[str]
+    words: frozenset[str]
+    is_function: bool
+
+
+@dataclass(frozen=True)
+class Assembled:
+    text: str
+    lines: tuple[Line, ...]  # of the text after the header
+    header: int  # lines of the header
+    files: tuple[str, ...]  # included files of which something was kept
+    idle: tuple[str, ...]  # included files of which nothing is used
+    kept: tuple[str, ...]  # functions
+    left_out: tuple[str, ...]  # functions of the included files that nothing calls
+
+
+@dataclass(frozen=True)
+class Argument:
+    type: str
+    name: str
+    size: str = ""  # of an array
+
+
+@dataclass(frozen=True)
+class Signature:
+    name: str
+    returns: str
+    args: tuple[Argument, ...]
+
+
+@cache
+def read(name: str) -> str:
+    """The text of an included file below glsl/."""
+    path = GLSL / name
+    if not path.is_file():
+        known = [p.relative_to(GLSL).as_posix() for p in GLSL.rglob("*.glsl")]
+        raise Problem(f'there is no glsl/{name}.{near(name, known)}')
+    return path.read_text(encoding="utf-8")
+
+
+def resolve(text: str, file: str, first: int = 1, overrides: dict[str, str] | None = None) -> list[Line]:
+    """The lines of a text with its includes put in, depth first, each file once."""
+    done: set[str] = set()
+
+    def walk(text: str, file: str, first: int, path: tuple[str, ...]) -> list[Line]:
+        lines: list[Line] = []
+        for number, line in enumerate(text.split("\n"), first):
+            match = INCLUDE.match(line)
+            if not match:
+                lines.append(Line(line, file, number))
+                continue
+            name = match[1]
+            if name in path:
+                raise Problem(f"{file}, line {number}: a circle of includes: {' -> '.join((*path, name))}.")
+            if name in done:
+                continue
+            try:
+                inner = (overrides or {}).get(name) or read(name)
+            except Problem as problem:
+                raise Problem(f"{file}, line {number}: {problem}") from None
+            lines += walk(inner, f"glsl/{name}", 1, (*path, name))
+            done.add(name)
+        return lines
+
+    return walk(text, file, first, ())
+
+
+def blocks(lines: list[Line]) -> list[Block]:
+    """Cut lines into top-level declarations: each ends where a ';' or '}' stands outside all braces."""
+    found: list[Block] = []
+    open_lines: list[Line] = []
+    depth = 0
+    for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
+        open_lines.append(line)
+        depth += code.count("{") - code.count("}")
+        whole = code.rstrip()
+        if depth == 0 and (whole.endswith((";", "}")) or whole.startswith("#")):
+            found.append(block(open_lines))
+            open_lines = []
+    if any(line.text.strip() for line in open_lines):
+        found.append(block(open_lines))
+    return found
+
+
+def strip_comments(lines: list[str]) -> list[str]:
+    text = COMMENT.sub(lambda m: "\n" * m[0].count("\n"), "\n".join(lines))
+    return text.split("\n")
+
+
+def block(lines: list[Line]) -> Block:
+    code = "\n".join(strip_comments([line.text for line in lines])).strip()
+    words = frozenset(WORD.findall(code))
+    function = SIGNATURE.search(code)
+    if function:
+        return Block(tuple(lines), frozenset({function[2]}), words, True)
+    if code.startswith("struct"):
+        return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
+    if code.startswith("#"):
+        return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
+    # the declared names: what stands before '=', '[' or ';', after the type
+    names = re.findall(r"(\w+)\s*(?:\[[^\]]*\])?\s*(?==|;|,)", code)
+    return Block(tuple(lines), frozenset(names[:1] if "=" in code else names), words, False)
+
+
+def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
+             entry: tuple[str, ...] = ("main",), overrides: dict[str, str] | None = None) -> Assembled:
+    """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
+    parts = blocks(resolve(text, file, first, overrides))
+    wanted, queue = set(entry), list(entry)
+    by_name: dict[str, list[Block]] = {}
+    for part in parts:
+        for name in part.names:
+            by_name.setdefault(name, []).append(part)
+    while queue:
+        for part in by_name.get(queue.pop(), ()):
+            for word in part.words - wanted:
+                wanted.add(word)
+                queue.append(word)
+    kept = [part for part in parts if part.names & wanted]
+    lines = tuple(line for part in kept for line in part.lines)
+    used = {line.file for line in lines}
+    named = {line.file for part in parts for line in part.lines}
+    names = [next(iter(p.names)) for p in kept if p.is_function]
+    out = [next(iter(p.names)) for p in parts if p.is_function and not p.names & wanted and p.lines[-1].file != file]
+    return Assembled("\n".join((*header, *(line.text for line in lines))) + "\n", lines, len(header),
+                     tuple(sorted(used - {file})), tuple(sorted(named - used - {file})), tuple(names), tuple(out))
+
+
+def translate(message: str, assembled: Assembled) -> str:
+    """A compiler's message with its line numbers turned back into the file and line a person wrote."""
+    found = []
+    for raw in message.splitlines():
+        match = MESSAGE.match(raw)
+        if not match:
+            continue
+        number = int(match[1]) - assembled.header - 1
+        if 0 <= number < len(assembled.lines):
+            line = assembled.lines[number]
+            found.append(f"{line.file}, line {line.number}: {match[3]}")
+    return "\n".join(dict.fromkeys(found)) or message.strip()
+
+
+def signatures(text: str) -> dict[str, Signature]:
+    """The functions a GLSL text defines, by name."""
+    code = "\n".join(strip_comments(text.split("\n")))
+    found = {}
+    for returns, name, inside in SIGNATURE.findall(code):
+        args = []
+        for part in filter(None, (p.strip() for p in inside.split(","))):
+            match = re.fullmatch(r"(?:const\s+|in\s+)?(\w+)\s+(\w+)\s*(?:\[\s*(\w+)\s*\])?", part)
+            if match:
+                args.append(Argument(match[1], match[2], match[3] or ""))
+        found[name] = Signature(name, returns, tuple(args))
+    return found
+
+
+@cache
+def catalogue() -> dict[str, tuple[str, Signature]]:
+    """Every function of glsl/optics: name -> (include, signature)."""
+    found: dict[str, tuple[str, Signature]] = {}
+    for path in sorted((GLSL / "optics").glob("*.glsl")):
+        include = path.relative_to(GLSL).as_posix()
+        for name, signature in signatures(path.read_text(encoding="utf-8")).items():
+            found[name] = include, signature
+    return found
+
+
+def uniforms(text: str) -> dict[str, str]:
+    """The uniforms a text declares: name -> type."""
+    code = "\n".join(strip_comments(text.split("\n")))
+    return {name: kind for kind, name in re.findall(r"^\s*uniform\s+(\w+)\s+(\w+)", code, re.M)}
+
+
+def file_name(path: Path) -> str:
+    """How a lesson's file is named to a person: lessons/ch01_solid_angle.py."""
+    return f"{path.parent.name}/{path.name}"

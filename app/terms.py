@@ -1,0 +1,34 @@
+"""A lesson's `Term` at given values: the Python twin in float64, or the GLSL twin in float32."""
+
+import numpy as np
+
+from app.lesson import Term
+from app.optics import arguments, twin
+
+
+def bound(term: Term, values: dict, **swept) -> dict:
+    """The arguments of a term: swept ones first, then what the term names, then the value of the same name."""
+    found = {}
+    for name in arguments(term.function):
+        given = term.args.get(name, name)
+        key = given if isinstance(given, str) else None
+        if key is not None and key in swept:
+            found[name] = swept[key]
+        elif key is not None:
+            found[name] = values[key]
+        else:
+            found[name] = given
+    return found
+
+
+def evaluate(term: Term, values: dict, precision: str = "float64", ctx=None, **swept) -> np.ndarray:
+    """The term's value; `precision` "float32" is the GLSL twin on the GPU.
+
+    A mesh step carries its triangles (faces, 3, 3) as the value `triangles`.
+    """
+    args = bound(term, values, **swept)
+    if precision == "float64":
+        return np.asarray(twin(term.function)(**args))
+    from app.gpu.evaluate import evaluate as on_gpu
+
+    return on_gpu(term.function, args, ctx=ctx)
