@@ -18,7 +18,7 @@ DEFINITION = re.compile(r"^def ([a-z]\w*)\(", re.M)
 @cache
 def names() -> dict[str, str]:
     """Every twin's name and the file (without suffix) it is in."""
-    found = {}
+    found: dict[str, str] = {}
     for path in sorted(Path(__file__).parent.glob("[a-z]*.py")):
         found |= dict.fromkeys(DEFINITION.findall(path.read_text(encoding="utf-8")), path.stem)
     return found

@@ -1,0 +1,108 @@
+"""The square patch of the lesson: where it is, and its solid angle exactly, as a small patch and by counting.
+
+Its centre is `distance` away from the eye at the origin in the direction (theta, phi). At tilt 0 it faces the eye; tilt
+turns it about the horizontal axis through its centre. Only what the horizon cuts depends on theta, nothing on phi.
+"""
+
+import numpy as np
+
+from app.optics.projected_solid_angle import projected_solid_angle_polygon
+from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics.spherical import direction, direction_phi, direction_theta, fibonacci_direction
+
+
+def _column(x):
+    return np.asarray(x, float)[..., None]
+
+
+def patch_point(theta, phi, distance, tilt, width, s, t):
+    """A point of the square: s along its horizontal side, t along the side that tilts away; the centre at 1/2, 1/2.
+
+    distance e_r + width ((s - 1/2) e_phi + (t - 1/2) (cos tilt e_theta + sin tilt e_r))
+
+    theta, phi, tilt (...) rad, distance, width (...) m, s, t (...) in [0, 1]. Returns (..., 3) m. Errors: none.
+    Source: deck, Solid Angles.
+    """
+    outward, tilt, width = direction(theta, phi), _column(tilt), _column(width)
+    along = np.cos(tilt) * direction_theta(theta, phi) + np.sin(tilt) * outward
+    return _column(distance) * outward + width * ((_column(s) - 0.5) * direction_phi(phi) + (_column(t) - 0.5) * along)
+
+
+def patch_normal(theta, phi, tilt):
+    """The square's unit normal: towards the eye at tilt 0, along e_theta at tilt pi/2.
+
+    sin tilt e_theta - cos tilt e_r
+
+    theta, phi, tilt (...) rad. Returns (..., 3). Errors: none. Source: deck, Solid Angles.
+    """
+    tilt = _column(tilt)
+    return np.sin(tilt) * direction_theta(theta, phi) - np.cos(tilt) * direction(theta, phi)
+
+
+def solid_angle_patch(distance, tilt, width):
+    """The solid angle of the square, exactly.
+
+    solid_angle_rectangle_off_axis in the square's own plane: distance |cos tilt| away, slid by distance sin tilt
+
+    distance, width (...) m, tilt (...) rad. Returns (...) sr. Errors: none. Source: deck, Solid Angles.
+    """
+    distance, tilt, h = (np.asarray(x, float) for x in (distance, tilt, 0.5 * np.asarray(width, float)))
+    slide = distance * np.sin(tilt)
+    return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, np.abs(distance * np.cos(tilt)))
+
+
+def solid_angle_patch_small(distance, tilt, width):
+    """The solid angle of the square if it were small: its area, foreshortened, over the distance squared.
+
+    width^2 |cos tilt| / distance^2
+
+    distance, width (...) m, tilt (...) rad. Returns (...) sr. Errors: of order (width / distance)^2; unbounded near.
+    Source: deck, Solid Angles.
+    """
+    distance, tilt, width = (np.asarray(x, float) for x in (distance, tilt, width))
+    return (width / distance) ** 2 * np.abs(np.cos(tilt))
+
+
+def solid_angle_patch_counted(theta, phi, distance, tilt, width, samples):
+    """The solid angle of the square by counting: the share of evenly spread directions that meet it, times 4 pi.
+
+    4 pi hits / samples over fibonacci_direction(0 .. samples - 1)
+
+    theta, phi, tilt (...) rad, distance, width (...) m, samples (...) >= 1. Returns (...) sr, a multiple of
+    4 pi / samples. Errors: falls like samples^(-3/4). Source: deck, Solid Angles; Swinbank and Purser 2006.
+    """
+    given = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, phi, distance, tilt, width, samples)))
+    counts = [_hits(*point[:-1], int(point[-1])) for point in zip(*(g.ravel() for g in given), strict=True)]
+    return (4 * np.pi * np.reshape(counts, given[0].shape) / given[-1])[()]
+
+
+def _hits(theta, phi, distance, tilt, width, samples):
+    rays = fibonacci_direction(np.arange(samples), samples)
+    along, fall, aside = (rays @ v for v in (direction(theta, phi), direction_theta(theta, phi), direction_phi(phi)))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # a ray in the square's own plane misses it
+        way = distance * np.cos(tilt) / (along * np.cos(tilt) - fall * np.sin(tilt))
+        x, y = way * aside, way * (fall * np.cos(tilt) + along * np.sin(tilt)) - distance * np.sin(tilt)
+        return np.count_nonzero((way > 0) & (np.maximum(np.abs(x), np.abs(y)) <= 0.5 * width))
+
+
+def projected_solid_angle_patch(theta, distance, tilt, width):
+    """The projected solid angle of the square above the horizon, exactly: its shadow on the base disk.
+
+    projected_solid_angle_polygon of the four corners
+
+    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: none. Source: Lambert 1760, Photometria.
+    """
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    corners = [patch_point(theta, 0, distance, tilt, width, s, t) for s, t in around]
+    return projected_solid_angle_polygon(np.stack(corners, -2), 4)
+
+
+def projected_solid_angle_patch_small(theta, distance, tilt, width):
+    """The projected solid angle of the square if it were small.
+
+    width^2 |cos tilt| / distance^2 max(0, cos theta)
+
+    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: of order (width / distance)^2, more where
+    the horizon cuts. Source: deck, Basic Concepts.
+    """
+    return solid_angle_patch_small(distance, tilt, width) * np.maximum(0, np.cos(np.asarray(theta, float)))

@@ -1,0 +1,161 @@
+#include "core/constants.glsl"
+#include "core/angle.glsl"
+#include "core/elliptic.glsl"
+
+float solid_angle_cone(float half_angle) {
+    // Solid Angles: the area a cone cuts out of the unit sphere
+    float s = sin(0.5 * half_angle);
+    return 4.0 * PI * s * s;
+}
+
+float solid_angle_cone_naive(float half_angle) {
+    // Solid Angles, as textbooks print it: 1 - cos loses every digit of a narrow cone
+    return 2.0 * PI * (1.0 - cos(half_angle));
+}
+
+float solid_angle_sphere(float radius, float distance) {
+    // Solid Angles: the cone that touches the sphere, sin(half_angle) = radius / distance
+    if (distance < radius) return 4.0 * PI;
+    float s = radius / distance;
+    float q = sqrt((distance - radius) * (distance + radius)) / distance;
+    return 2.0 * PI * s * s / (1.0 + q);
+}
+
+float solid_angle_sphere_naive(float radius, float distance) {
+    // Solid Angles, as textbooks print it: the difference loses every digit of a far sphere
+    if (distance < radius) return 4.0 * PI;
+    float s = radius / distance;
+    return 2.0 * PI * (1.0 - sqrt(1.0 - s * s));
+}
+
+float solid_angle_disk_on_axis(float radius, float height) {
+    // Solid Angles: the cone through the rim, 1 - cos multiplied out
+    float q = length(vec2(height, radius));
+    return 2.0 * PI * (radius / q) * (radius / (q + abs(height)));
+}
+
+float solid_angle_disk_on_axis_naive(float radius, float height) {
+    // Solid Angles, as textbooks print it
+    return 2.0 * PI * (1.0 - abs(height) / length(vec2(height, radius)));
+}
+
+float solid_angle_disk(float radius, float height, float offset) {
+    // Paxton 1959, Solid Angle Calculation for a Circular Disk; far away the multipole series
+    float h = abs(height), far = length(vec2(height, offset)), inner = radius - offset;
+    if (far > 2.0 * radius) {
+        float c = h / far, x = (radius / far) * (radius / far);
+        float sum = 0.0, scale = 0.5 * x, before = 1.0, legendre = c; // P_0 and P_1 of c
+        for (int k = 1; k <= 13; k++) {
+            float n = 2.0 * float(k);
+            sum += scale * legendre;
+            scale *= -x * (n + 1.0) / (n + 2.0);
+            before = ((2.0 * n - 1.0) * c * legendre - (n - 1.0) * before) / n;
+            legendre = ((2.0 * n + 1.0) * c * before - n * legendre) / (n + 1.0);
+        }
+        return 2.0 * PI * sum;
+    }
+    float reach = length(vec2(height, radius + offset)), k_c = length(vec2(height, inner)) / reach;
+    if (h == 0.0) return inner > 0.0 ? 2.0 * PI : inner < 0.0 ? 0.0 : PI;
+    if (inner == 0.0) return PI - 2.0 * h / reach * complete_elliptic(k_c, 1.0, 1.0, 1.0);
+    float q = inner / (radius + offset);
+    float part = 2.0 * h / reach * complete_elliptic(k_c, abs(q), 1.0 + q, q + q * q);
+    return (inner > 0.0 ? 2.0 * PI : 0.0) - part;
+}
+
+float solid_angle_rectangle(float width, float depth, float distance) {
+    // Solid Angles: a rectangle facing the eye, its centre on the axis
+    float diagonal = length(vec3(2.0 * distance, width, depth));
+    return 4.0 * arctan2(width * depth, 2.0 * distance * diagonal);
+}
+
+float solid_angle_rectangle_naive(float width, float depth, float distance) {
+    // Solid Angles, the arccos form: its argument is 1 for a far rectangle
+    float a = width / (2.0 * distance), b = depth / (2.0 * distance);
+    return 4.0 * arccos(sqrt((1.0 + a * a + b * b) / ((1.0 + a * a) * (1.0 + b * b))));
+}
+
+float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
+    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with edge differences
+    float x = length(a), y = length(b), z = length(c);
+    float volume = dot(a, cross(b - a, c - a));
+    return 2.0 * arctan2(abs(volume), x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
+}
+
+float solid_angle_triangle_signed(vec3 a, vec3 b, vec3 c) {
+    // van Oosterom and Strackee 1983; positive where a, b, c run clockwise; 0 in the triangle's own plane
+    float x = length(a), y = length(b), z = length(c);
+    float volume = dot(a, cross(b - a, c - a));
+    if (volume == 0.0) return 0.0;
+    return 2.0 * arctan2(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
+}
+
+float solid_angle_triangle_naive(vec3 a, vec3 b, vec3 c) {
+    // van Oosterom and Strackee 1983 as printed, on unit vectors: a . (b x c) cancels for a small triangle
+    a = normalize(a);
+    b = normalize(b);
+    c = normalize(c);
+    return 2.0 * arctan2(abs(dot(a, cross(b, c))), 1.0 + dot(a, b) + dot(a, c) + dot(b, c));
+}
+
+float solid_angle_polygon(vec3 corners[MAX_CORNERS], int corner_count) {
+    // Solid Angles: a fan of signed triangles from the first corner
+    float sum = 0.0;
+    for (int i = 2; i < corner_count; i++) sum += solid_angle_triangle_signed(corners[0], corners[i - 1], corners[i]);
+    return abs(sum);
+}
+
+float solid_angle_polygon_naive(vec3 corners[MAX_CORNERS], int corner_count) {
+    // Solid Angles: the same fan with van Oosterom and Strackee 1983 as printed, on unit vectors
+    float sum = 0.0;
+    vec3 a = normalize(corners[0]);
+    for (int i = 2; i < corner_count; i++) {
+        vec3 b = normalize(corners[i - 1]), c = normalize(corners[i]);
+        sum += 2.0 * arctan2(dot(a, cross(b, c)), 1.0 + dot(a, b) + dot(a, c) + dot(b, c));
+    }
+    return abs(sum);
+}
+
+float solid_angle_rectangle_off_axis(float x0, float x1, float y0, float y1, float distance) {
+    // Solid Angles: four corners' angles where the axis meets the rectangle, else two triangles
+    if (x0 * x1 <= 0.0 && y0 * y1 <= 0.0) {
+        vec4 x = abs(vec4(x0, x1, x0, x1)), y = abs(vec4(y0, y0, y1, y1));
+        float sum = 0.0;
+        for (int i = 0; i < 4; i++) sum += arctan2(x[i] * y[i], distance * length(vec3(x[i], y[i], distance)));
+        return sum;
+    }
+    vec3 a = vec3(x0, y0, distance), b = vec3(x1, y0, distance), c = vec3(x1, y1, distance), d = vec3(x0, y1, distance);
+    return solid_angle_triangle(a, b, c) + solid_angle_triangle(a, c, d);
+}
+
+float solid_angle_mesh(sampler2D triangles, vec3 eye) {
+    // Solid Angles: signed triangles add up; 4 pi inside a closed mesh, 0 outside. Row by row, so that few digits are lost
+    ivec2 size = textureSize(triangles, 0);
+    float sum = 0.0;
+    for (int row = 0; row < size.y; row++) {
+        float part = 0.0;
+        for (int i = 0; i < size.x; i += 3) {
+            vec3 a = texelFetch(triangles, ivec2(i, row), 0).xyz - eye;
+            vec3 b = texelFetch(triangles, ivec2(i + 1, row), 0).xyz - eye;
+            vec3 c = texelFetch(triangles, ivec2(i + 2, row), 0).xyz - eye;
+            part += solid_angle_triangle_signed(a, b, c);
+        }
+        sum += part;
+    }
+    return sum;
+}
+
+float solid_angle_cell(float theta, float d_theta, float d_phi) {
+    // Solid Angles: the integral of sin(theta) over a cell centred at theta
+    return 2.0 * sin(theta) * sin(0.5 * d_theta) * d_phi;
+}
+
+float solid_angle_cell_differential(float theta, float d_theta, float d_phi) {
+    // Solid Angles: sin(theta) d_theta d_phi
+    return sin(theta) * d_theta * d_phi;
+}
+
+float solid_angle_cells(int rows) {
+    // Solid Angles: sin(theta) d_theta d_phi summed over rows x 2 rows cells; the sum of sines in closed form
+    float half_step = 0.5 * PI / float(rows);
+    return 4.0 * PI * half_step / sin(half_step);
+}

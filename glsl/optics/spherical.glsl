@@ -1,0 +1,34 @@
+#include "core/constants.glsl"
+
+vec3 direction(float theta, float phi) {
+    // Solid Angles: spherical coordinates, theta from +z, phi from +x towards +y
+    return vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta));
+}
+
+vec3 direction_theta(float theta, float phi) {
+    // Solid Angles: the unit vector along which theta grows
+    return vec3(cos(theta) * cos(phi), cos(theta) * sin(phi), -sin(theta));
+}
+
+vec3 direction_phi(float phi) {
+    // Solid Angles: the unit vector along which phi grows
+    return vec3(-sin(phi), cos(phi), 0.0);
+}
+
+vec3 fibonacci_direction(int index, int samples) {
+    // Swinbank and Purser 2006, Fibonacci grids; the golden turn in 32-bit integers, where it cannot round
+    float turn = float(uint(index) * 2654435769u) / 4294967296.0;
+    float depth = float(2 * index + 1) / float(samples); // 1 - z
+    float r = sqrt(depth * (2.0 - depth)), phi = 2.0 * PI * turn;
+    return vec3(r * cos(phi), r * sin(phi), 1.0 - depth);
+}
+
+vec3 sphere_point(float s, float t) {
+    // Solid Angles: the unit sphere over the unit square
+    return direction(PI * t, 2.0 * PI * s);
+}
+
+vec3 cap_point(float half_angle, float s, float t) {
+    // Solid Angles: the cap a cone about +z cuts out of the unit sphere
+    return direction(half_angle * t, 2.0 * PI * s);
+}
