@@ -53,6 +53,7 @@ TABLE: dict[str, Quantity] = {
     "samples": Quantity("N", "", 64, 16384, 2048, "number of counted points", (1, 60000), "log", "int"),
     "index": Quantity("i", "", 0, 63, 0, "number of a point, from 0", extreme=(0, 59999), kind="int"),
     "rows": Quantity("N", "", 2, 64, 8, "rows of cells from pole to pole", extreme=(1, 10000), scale="log", kind="int"),
+    "towards": Quantity("d", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit vector of a ray from the eye", kind="vec3"),
     "s": Quantity("s", "", 0.0, 1.0, 0.5, "first coordinate in the unit square"),
     "t": Quantity("t", "", 0.0, 1.0, 0.5, "second coordinate in the unit square"),
     # disks, spheres, rectangles
@@ -68,6 +69,8 @@ TABLE: dict[str, Quantity] = {
     "a": Quantity("A", "m", -2.0, 2.0, (-0.5, -0.5, 1.0), "first corner of a triangle", kind="vec3"),
     "b": Quantity("B", "m", -2.0, 2.0, (0.5, -0.5, 1.0), "second corner of a triangle", kind="vec3"),
     "c": Quantity("C", "m", -2.0, 2.0, (0.0, 0.6, 1.0), "third corner of a triangle", kind="vec3"),
+    "ab": Quantity("AB", "m", -2.0, 2.0, (1.0, 0.0, 0.0), "edge of a triangle, from A to B", kind="vec3"),
+    "ac": Quantity("AC", "m", -2.0, 2.0, (0.5, 1.1, 0.0), "edge of a triangle, from A to C", kind="vec3"),
     "eye": Quantity("E", "m", -2.0, 2.0, (0.0, 0.0, 0.0), "the point from which it is seen", kind="vec3"),
     "corner_count": Quantity("n", "", 3, 5, 5, "corners of the polygon", kind="int"),
     "corner_a": Quantity("P_1", "", -1.0, 1.0, (-0.6, -0.5), "first corner of the outline", kind="vec2"),
@@ -76,6 +79,7 @@ TABLE: dict[str, Quantity] = {
     "corner_d": Quantity("P_4", "", -1.0, 1.0, (0.0, 0.8), "fourth corner of the outline", kind="vec2"),
     "corner_e": Quantity("P_5", "", -1.0, 1.0, (-0.7, 0.3), "fifth corner of the outline", kind="vec2"),
     "size": Quantity("S", "m", 1e-3, 2.0, 1.0, "scale of the outline", extreme=(1e-5, 1e3), scale="log"),
+    "shape": Quantity("k", "", 0, 9, 0, "which of the scene's meshes", kind="int"),
     "x": Quantity("x", "m", -2.0, 2.0, 0.0, "the eye, sideways"),
     "y": Quantity("y", "m", -2.0, 2.0, 0.0, "the eye, up or down"),
 }

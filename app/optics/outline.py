@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.solid_angle import solid_angle_polygon, solid_angle_polygon_naive
+from app.optics.solid_angle import solid_angle_polygon_naive, solid_angle_triangle_edges
 
 
 def _corners(corners, size, distance, x, y):
@@ -30,15 +30,19 @@ def outline_corner(corner_a, corner_b, corner_c, corner_d, corner_e, corner_coun
 
 
 def solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):
-    """The solid angle of the outline seen from (x, y, 0), by triangles in the edge form.
+    """The solid angle of the outline seen from (x, y, 0), by a fan of triangles given by their edges.
 
-    solid_angle_polygon of the first corner_count corners (size corner - (x, y), distance)
+    |sum of solid_angle_triangle_edges(a, size (P_i - P_1), size (P_i+1 - P_1))|, a = (size P_1 - (x, y), distance)
 
     corner_a .. corner_e (..., 2), corner_count (...) 3 .. 5, size, distance, x, y (...) m. Returns (...) sr.
     Errors: none. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    corners = (corner_a, corner_b, corner_c, corner_d, corner_e)
-    return solid_angle_polygon(_corners(corners, size, distance, x, y), corner_count)
+    first, others = np.asarray(corner_a, float), (corner_b, corner_c, corner_d, corner_e)
+    a = _corners((first,), size, distance, x, y)[..., 0, :]
+    b, c, d, e = (_corners((np.asarray(corner, float) - first,), size, 0, 0, 0)[..., 0, :] for corner in others)
+    fourth, fifth = np.asarray(corner_count) > 3, np.asarray(corner_count) > 4
+    return np.abs(solid_angle_triangle_edges(a, b, c) + fourth * solid_angle_triangle_edges(a, c, d)
+                  + fifth * solid_angle_triangle_edges(a, d, e))
 
 
 def solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):

@@ -183,11 +183,11 @@ def _dot(a, b):
     return np.sum(a * b, -1)
 
 
-def _triangle(a, b, c):
-    """Numerator and denominator of the tangent of half the solid angle, and so its sign, in the edge form."""
-    a, b, c = (np.asarray(v, float) for v in (a, b, c))
+def _triangle(a, ab, ac):
+    """Numerator and denominator of the tangent of half the solid angle, in the edge form."""
+    b, c = a + ab, a + ac
     x, y, z = (np.sqrt(_dot(v, v)) for v in (a, b, c))
-    return _dot(a, np.cross(b - a, c - a)), x * y * z + _dot(a, b) * z + _dot(a, c) * y + _dot(b, c) * x
+    return _dot(a, np.cross(ab, ac)), x * y * z + _dot(a, b) * z + _dot(a, c) * y + _dot(b, c) * x
 
 
 def solid_angle_triangle(a, b, c):
@@ -198,7 +198,8 @@ def solid_angle_triangle(a, b, c):
     a, b, c (..., 3) m. Returns (...) sr, 0 .. 2 pi; 2 pi from a point inside the triangle, 0 from an edge, a corner or
     elsewhere in its plane. Errors: none. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    volume, spread = _triangle(a, b, c)
+    a, b, c = (np.asarray(v, float) for v in (a, b, c))
+    volume, spread = _triangle(a, b - a, c - a)
     return 2 * np.arctan2(np.abs(volume), spread)
 
 
@@ -211,7 +212,19 @@ def solid_angle_triangle_signed(a, b, c):
     sides. A closed mesh, its faces counter-clockwise from outside, sums to +4 pi inside. Errors: none.
     Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    volume, spread = _triangle(a, b, c)
+    a, b, c = (np.asarray(v, float) for v in (a, b, c))
+    return solid_angle_triangle_edges(a, b - a, c - a)
+
+
+def solid_angle_triangle_edges(a, ab, ac):
+    """The signed solid angle of a triangle given by a corner and its two edges, for one small beside its distance.
+
+    solid_angle_triangle_signed(a, a + ab, a + ac), without the rounding of b and c
+
+    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane. Errors: none.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
+    """
+    volume, spread = _triangle(*(np.asarray(v, float) for v in (a, ab, ac)))
     return np.where(volume == 0, 0.0, 2 * np.arctan2(volume, spread))[()]
 
 
@@ -265,7 +278,7 @@ def solid_angle_polygon_naive(corners, corner_count):
 def solid_angle_mesh(triangles, eye):
     """The signed solid angles of a mesh's faces, summed: 4 pi inside a closed mesh, 0 outside, between for an open one.
 
-    sum over faces of solid_angle_triangle_signed(a - eye, b - eye, c - eye)
+    sum over faces of solid_angle_triangle_edges(a - eye, b - a, c - a)
 
     triangles (faces, 3, 3) m, counter-clockwise from outside; eye (..., 3) m. Returns (...) sr. A face whose plane the
     eye is in counts 0: on a face of a closed mesh the sum is 2 pi, on an edge or corner the angle of the solid there,
@@ -274,7 +287,8 @@ def solid_angle_mesh(triangles, eye):
     """
     triangles, eye = np.asarray(triangles, float), np.asarray(eye, float)
     if eye.ndim == 1:
-        return np.sum(solid_angle_triangle_signed(*np.moveaxis(triangles - eye, 1, 0)))
+        a, b, c = np.moveaxis(triangles, 1, 0)
+        return np.sum(solid_angle_triangle_edges(a - eye, b - a, c - a))
     sums = [solid_angle_mesh(triangles, e) for e in eye.reshape(-1, 3)]
     return np.reshape(sums, eye.shape[:-1])
 

@@ -6,8 +6,8 @@ turns it about the horizontal axis through its centre. Only what the horizon cut
 
 import numpy as np
 
-from app.optics.projected_solid_angle import projected_solid_angle_polygon
-from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics.projected_solid_angle import _AT, _WEIGHT, projected_solid_angle_polygon
+from app.optics.solid_angle import solid_angle_rectangle_off_axis, solid_angle_triangle_edges
 from app.optics.spherical import direction, direction_phi, direction_theta, fibonacci_direction
 
 
@@ -42,13 +42,19 @@ def patch_normal(theta, phi, tilt):
 def solid_angle_patch(distance, tilt, width):
     """The solid angle of the square, exactly.
 
-    solid_angle_rectangle_off_axis in the square's own plane: distance |cos tilt| away, slid by distance sin tilt
+    In the square's own plane, distance |cos tilt| away and slid by distance sin tilt: solid_angle_rectangle_off_axis
+    where the eye is over the square, else two triangles by their edges.
 
     distance, width (...) m, tilt (...) rad. Returns (...) sr. Errors: none. Source: deck, Solid Angles.
     """
-    distance, tilt, h = (np.asarray(x, float) for x in (distance, tilt, 0.5 * np.asarray(width, float)))
-    slide = distance * np.sin(tilt)
-    return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, np.abs(distance * np.cos(tilt)))
+    distance, tilt, width = np.broadcast_arrays(*(np.asarray(x, float) for x in (distance, tilt, width)))
+    slide, height = distance * np.sin(tilt), np.abs(distance * np.cos(tilt))
+    h, zero = 0.5 * width, np.zeros(width.shape)
+    over = solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, height)
+    corner, ab, ac, ad = (np.stack(v, -1) for v in ((-h, slide - h, height), (width, zero, zero), (width, width, zero),
+                                                    (zero, width, zero)))
+    beside = solid_angle_triangle_edges(corner, ab, ac) + solid_angle_triangle_edges(corner, ac, ad)
+    return np.where(np.abs(slide) <= h, over, beside)[()]
 
 
 def solid_angle_patch_small(distance, tilt, width):
@@ -72,29 +78,65 @@ def solid_angle_patch_counted(theta, phi, distance, tilt, width, samples):
     4 pi / samples. Errors: falls like samples^(-3/4). Source: deck, Solid Angles; Swinbank and Purser 2006.
     """
     given = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, phi, distance, tilt, width, samples)))
-    counts = [_hits(*point[:-1], int(point[-1])) for point in zip(*(g.ravel() for g in given), strict=True)]
+    counts = []
+    for *patch, count in zip(*(g.ravel() for g in given), strict=True):
+        rays = fibonacci_direction(np.arange(int(count)), int(count))
+        counts.append(np.count_nonzero(meets_patch(rays, *patch)))
     return (4 * np.pi * np.reshape(counts, given[0].shape) / given[-1])[()]
 
 
-def _hits(theta, phi, distance, tilt, width, samples):
-    rays = fibonacci_direction(np.arange(samples), samples)
-    along, fall, aside = (rays @ v for v in (direction(theta, phi), direction_theta(theta, phi), direction_phi(phi)))
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # a ray in the square's own plane misses it
+def meets_patch(towards, theta, phi, distance, tilt, width):
+    """Whether the ray from the eye along `towards` meets the square: 1.0 or 0.0.
+
+    way = r cos(tilt) / (towards . n'), n' the square's normal away from the eye; then both coordinates within width / 2
+
+    towards (..., 3) unit vector, theta, phi, tilt (...) rad, distance, width (...) m. Returns (...).
+    Errors: none; a ray in the square's own plane misses it. Source: deck, Solid Angles.
+    """
+    towards = np.asarray(towards, float)
+    along, fall, aside = (np.sum(towards * v, -1)
+                          for v in (direction(theta, phi), direction_theta(theta, phi), direction_phi(phi)))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         way = distance * np.cos(tilt) / (along * np.cos(tilt) - fall * np.sin(tilt))
         x, y = way * aside, way * (fall * np.cos(tilt) + along * np.sin(tilt)) - distance * np.sin(tilt)
-        return np.count_nonzero((way > 0) & (np.maximum(np.abs(x), np.abs(y)) <= 0.5 * width))
+        return ((way > 0) & (np.maximum(np.abs(x), np.abs(y)) <= 0.5 * width)).astype(float)
+
+
+def solid_angle_patch_ratio(distance, tilt, width):
+    """What is left of the square's solid angle when it is pushed twice as far away.
+
+    solid_angle_patch(2 distance) / solid_angle_patch(distance); 1/4 for a small square
+
+    distance, width (...) m, tilt (...) rad. Returns (...). Errors: none. Source: deck, Solid Angles.
+    """
+    return solid_angle_patch(2 * np.asarray(distance, float), tilt, width) / solid_angle_patch(distance, tilt, width)
 
 
 def projected_solid_angle_patch(theta, distance, tilt, width):
     """The projected solid angle of the square above the horizon, exactly: its shadow on the base disk.
 
-    projected_solid_angle_polygon of the four corners
+    projected_solid_angle_polygon of the four corners; a small square above the horizon, where that rounds, by 8 x 8
+    Gauss points of width^2 distance |cos tilt| z / r^4
 
-    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: none. Source: Lambert 1760, Photometria.
+    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: those of projected_solid_angle_polygon.
+    Source: Lambert 1760, Photometria.
     """
+    theta, distance, tilt, width = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, distance, tilt, width)))
     around = ((0, 0), (1, 0), (1, 1), (0, 1))
-    corners = [patch_point(theta, 0, distance, tilt, width, s, t) for s, t in around]
-    return projected_solid_angle_polygon(np.stack(corners, -2), 4)
+    corners = np.stack([patch_point(theta, 0, distance, tilt, width, s, t) for s, t in around], -2)
+    small = (np.min(corners[..., 2], -1) > 0) & (width < 0.25 * distance)
+    value = np.asarray(projected_solid_angle_polygon(corners, 4))
+    value[small] = _quadrature(theta[small], distance[small], tilt[small], width[small])
+    return value[()]
+
+
+def _quadrature(theta, distance, tilt, width):
+    total = np.zeros(theta.shape)
+    for s, weight_s in zip(_AT, _WEIGHT, strict=True):
+        for t, weight_t in zip(_AT, _WEIGHT, strict=True):
+            p = patch_point(theta, 0, distance, tilt, width, s, t)
+            total += weight_s * weight_t * p[..., 2] / np.sum(p * p, -1) ** 2
+    return total * width**2 * distance * np.abs(np.cos(tilt))
 
 
 def projected_solid_angle_patch_small(theta, distance, tilt, width):

@@ -81,12 +81,18 @@ float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
     return 2.0 * arctan2(abs(volume), x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
 }
 
-float solid_angle_triangle_signed(vec3 a, vec3 b, vec3 c) {
+float solid_angle_triangle_edges(vec3 a, vec3 ab, vec3 ac) {
     // van Oosterom and Strackee 1983; positive where a, b, c run clockwise; 0 in the triangle's own plane
+    vec3 b = a + ab, c = a + ac;
     float x = length(a), y = length(b), z = length(c);
-    float volume = dot(a, cross(b - a, c - a));
+    float volume = dot(a, cross(ab, ac));
     if (volume == 0.0) return 0.0;
     return 2.0 * arctan2(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
+}
+
+float solid_angle_triangle_signed(vec3 a, vec3 b, vec3 c) {
+    // van Oosterom and Strackee 1983; positive where a, b, c run clockwise; 0 in the triangle's own plane
+    return solid_angle_triangle_edges(a, b - a, c - a);
 }
 
 float solid_angle_triangle_naive(vec3 a, vec3 b, vec3 c) {
@@ -134,10 +140,10 @@ float solid_angle_mesh(sampler2D triangles, vec3 eye) {
     for (int row = 0; row < size.y; row++) {
         float part = 0.0;
         for (int i = 0; i < size.x; i += 3) {
-            vec3 a = texelFetch(triangles, ivec2(i, row), 0).xyz - eye;
-            vec3 b = texelFetch(triangles, ivec2(i + 1, row), 0).xyz - eye;
-            vec3 c = texelFetch(triangles, ivec2(i + 2, row), 0).xyz - eye;
-            part += solid_angle_triangle_signed(a, b, c);
+            vec3 a = texelFetch(triangles, ivec2(i, row), 0).xyz;
+            vec3 b = texelFetch(triangles, ivec2(i + 1, row), 0).xyz;
+            vec3 c = texelFetch(triangles, ivec2(i + 2, row), 0).xyz;
+            part += solid_angle_triangle_edges(a - eye, b - a, c - a);
         }
         sum += part;
     }

@@ -15,9 +15,11 @@ vec3 patch_normal(float theta, float phi, float tilt) {
 }
 
 float solid_angle_patch(float distance, float tilt, float width) {
-    // Solid Angles: the square is a rectangle off the axis of its own plane
-    float slide = distance * sin(tilt), h = 0.5 * width;
-    return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, abs(distance * cos(tilt)));
+    // Solid Angles: in the square's own plane; two triangles by their edges where the eye is not over the square
+    float slide = distance * sin(tilt), height = abs(distance * cos(tilt)), h = 0.5 * width;
+    if (abs(slide) <= h) return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, height);
+    vec3 a = vec3(-h, slide - h, height), ab = vec3(width, 0.0, 0.0), ac = vec3(width, width, 0.0), ad = vec3(0.0, width, 0.0);
+    return solid_angle_triangle_edges(a, ab, ac) + solid_angle_triangle_edges(a, ac, ad);
 }
 
 float solid_angle_patch_small(float distance, float tilt, float width) {
@@ -26,22 +28,42 @@ float solid_angle_patch_small(float distance, float tilt, float width) {
     return seen * seen * abs(cos(tilt));
 }
 
+float meets_patch(vec3 towards, float theta, float phi, float distance, float tilt, float width) {
+    // Solid Angles: 1 where the ray from the eye meets the square, else 0
+    vec3 down = direction_theta(theta, phi), side = direction_phi(phi);
+    float along = dot(towards, direction(theta, phi)), fall = dot(towards, down);
+    float way = distance * cos(tilt) / (along * cos(tilt) - fall * sin(tilt)); // to the square's plane
+    float x = way * dot(towards, side), y = way * (fall * cos(tilt) + along * sin(tilt)) - distance * sin(tilt);
+    return way > 0.0 && max(abs(x), abs(y)) <= 0.5 * width ? 1.0 : 0.0;
+}
+
+float solid_angle_patch_ratio(float distance, float tilt, float width) {
+    // Solid Angles: what is left twice as far away
+    return solid_angle_patch(2.0 * distance, tilt, width) / solid_angle_patch(distance, tilt, width);
+}
+
 float solid_angle_patch_counted(float theta, float phi, float distance, float tilt, float width, int samples) {
     // Solid Angles: 4 pi times the share of evenly spread directions that meet the square
-    vec3 outward = direction(theta, phi), down = direction_theta(theta, phi), side = direction_phi(phi);
-    int hits = 0;
-    for (int i = 0; i < samples; i++) {
-        vec3 d = fibonacci_direction(i, samples);
-        float along = dot(d, outward), fall = dot(d, down);
-        float way = distance * cos(tilt) / (along * cos(tilt) - fall * sin(tilt)); // to the square's plane
-        float x = way * dot(d, side), y = way * (fall * cos(tilt) + along * sin(tilt)) - distance * sin(tilt);
-        if (way > 0.0 && max(abs(x), abs(y)) <= 0.5 * width) hits++;
-    }
-    return 4.0 * PI * float(hits) / float(samples);
+    float hits = 0.0;
+    for (int i = 0; i < samples; i++) hits += meets_patch(fibonacci_direction(i, samples), theta, phi, distance, tilt, width);
+    return 4.0 * PI * hits / float(samples);
 }
 
 float projected_solid_angle_patch(float theta, float distance, float tilt, float width) {
-    // Basic Concepts: the square's shadow on the base disk, cut at the horizon
+    // Basic Concepts: the square's shadow on the base disk, cut at the horizon; a small one above it by quadrature
+    vec3 centre = distance * direction(theta, 0.0), side = width * direction_phi(0.0);
+    vec3 along = width * (cos(tilt) * direction_theta(theta, 0.0) + sin(tilt) * direction(theta, 0.0));
+    if (centre.z > 0.5 * abs(along.z) && width < 0.4 * distance) {
+        float sum = 0.0;
+        for (int j = 0; j < 8; j++) {
+            for (int k = 0; k < 8; k++) {
+                vec3 p = centre + (GAUSS_AT[j] - 0.5) * side + (GAUSS_AT[k] - 0.5) * along;
+                float r2 = dot(p, p);
+                sum += GAUSS_WEIGHT[j] * GAUSS_WEIGHT[k] * p.z / (r2 * r2);
+            }
+        }
+        return sum * width * width * distance * abs(cos(tilt));
+    }
     vec3 corners[MAX_CORNERS];
     corners[0] = patch_point(theta, 0.0, distance, tilt, width, 0.0, 0.0);
     corners[1] = patch_point(theta, 0.0, distance, tilt, width, 1.0, 0.0);
