@@ -21,6 +21,7 @@ class Value:
     default: Number | None = None
     low: float | None = None
     high: float | None = None
+    scale: Literal["", "linear", "log"] = ""  # "": as in quantities
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # an integer value whose numbers have names
 

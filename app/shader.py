@@ -30,6 +30,15 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Source:
+    """A text a person wrote somewhere else than below glsl/: a lesson's scene, a student's file."""
+
+    text: str
+    file: str
+    first: int = 1
+
+
+@dataclass(frozen=True)
 class Block:
     """A top-level declaration: its lines, what it names and which words it uses."""
 
@@ -74,7 +83,7 @@ def read(name: str) -> str:
     return path.read_text(encoding="utf-8")
 
 
-def resolve(text: str, file: str, first: int = 1, overrides: dict[str, str] | None = None) -> list[Line]:
+def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Line]:
     """The lines of a text with its includes put in, depth first, each file once."""
     done: set[str] = set()
 
@@ -91,10 +100,10 @@ def resolve(text: str, file: str, first: int = 1, overrides: dict[str, str] | No
             if name in done:
                 continue
             try:
-                inner = (overrides or {}).get(name) or read(name)
+                inner = (overrides or {}).get(name) or Source(read(name), f"glsl/{name}")
             except Problem as problem:
                 raise Problem(f"{file}, line {number}: {problem}") from None
-            lines += walk(inner, f"glsl/{name}", 1, (*path, name))
+            lines += walk(inner.text, inner.file, inner.first, (*path, name))
             done.add(name)
         return lines
 
@@ -134,12 +143,13 @@ def block(lines: list[Line]) -> Block:
     if code.startswith("#"):
         return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
     # the declared names: what stands before '=', '[' or ';', after the type
+    code = re.sub(r"^layout\s*\([^)]*\)", "", code)
     names = re.findall(r"(\w+)\s*(?:\[[^\]]*\])?\s*(?==|;|,)", code)
     return Block(tuple(lines), frozenset(names[:1] if "=" in code else names), words, False)
 
 
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
-             entry: tuple[str, ...] = ("main",), overrides: dict[str, str] | None = None) -> Assembled:
+             entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
     """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
     parts = blocks(resolve(text, file, first, overrides))
     wanted, queue = set(entry), list(entry)

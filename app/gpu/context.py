@@ -127,4 +127,6 @@ def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.As
 def compiler_message(message: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> str:
     """The compiler's words at the file and line a person wrote."""
     of_fragment = "fragment_shader" in message and fragment is not None
-    return shader.translate(message, fragment if of_fragment and fragment else vertex)
+    lines = shader.translate(message, fragment if of_fragment and fragment else vertex).splitlines()
+    more = f"\n(and {len(lines) - 3} more)" if len(lines) > 3 else ""
+    return "\n".join(lines[:3]) + more

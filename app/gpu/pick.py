@@ -1,0 +1,54 @@
+"""The values behind a pixel: the scene's opaque surfaces drawn once more into one float pixel."""
+
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+
+from app import camera as orbit
+from app.gpu.stage import Stage, give, look, on_gpu, program_of
+from app.lesson import Camera
+from app.theme import Theme
+
+
+@dataclass(frozen=True)
+class Pick:
+    """Raw radiance, before exposure and display, the point, the surface, the face of a mesh."""
+
+    surface: str
+    radiance: tuple[float, float, float]
+    position: tuple[float, float, float]
+    face: int
+
+
+def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[float, float]) -> Pick | None:
+    """What lies at a point of the stage's last picture (x, y in [0, 1] from the top left); None on the background."""
+    surfaces = [i for i, s in enumerate(stage.scene.surfaces) if s.opacity >= 1]
+    names = tuple({f"{program_of(stage.scene.surfaces[i])} values" for i in surfaces})
+    ctx = stage.ctx
+    with ctx:
+        stage.compile(tuple(name for name in names if name not in stage.programs))
+        parts = [ctx.renderbuffer((1, 1), 4, dtype="f4") for _ in range(2)]
+        parts.append(ctx.depth_renderbuffer((1, 1)))
+        target, before = ctx.framebuffer(parts[:2], parts[2]), ctx.fbo
+        width, height = stage.size
+        zoom = np.diag([width, height, 1.0, 1.0])  # the picked pixel fills the picture of one pixel
+        zoom[0, 3], zoom[1, 3] = (1 - 2 * at[0]) * width, (2 * at[1] - 1) * height
+        matrix = (zoom @ orbit.view_projection(camera, width / height)).T.astype("f4").tobytes()
+        for name in names:
+            give(stage.programs[name], view_projection=matrix, camera_position=tuple(orbit.position(camera)),
+                 **on_gpu(values), **look(theme))
+        target.use()
+        target.clear()
+        ctx.enable_only(moderngl.DEPTH_TEST)
+        for i in surfaces:
+            stage.paint_surface(i, " values")
+        ctx.enable_only(moderngl.NOTHING)
+        radiance, position = (np.frombuffer(target.read(components=4, attachment=i, dtype="f4"), "f4") for i in (0, 1))
+        before.use()
+        for thing in (target, *parts):
+            thing.release()
+    if radiance[3] < 0.5:
+        return None
+    name = stage.scene.surfaces[int(radiance[3]) - 1].name
+    return Pick(name, tuple(map(float, radiance[:3])), tuple(map(float, position[:3])), int(position[3]))

@@ -1,0 +1,267 @@
+"""Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
+
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+
+from app import camera as orbit
+from app.colormaps import STOPS
+from app.gpu.context import pixel, program
+from app.gpu.evaluate import mesh_texture
+from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
+from app.lesson import Camera, Mark, Surface
+from app.problem import Problem
+from app.theme import Theme, colour, rgb
+
+SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
+TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
+
+
+@dataclass(frozen=True)
+class Faults:
+    """Pixels whose radiance is not a number, infinite or negative."""
+
+    nan: int = 0
+    inf: int = 0
+    negative: int = 0
+
+    def __bool__(self) -> bool:
+        return bool(self.nan or self.inf or self.negative)
+
+
+def give(use: moderngl.Program, **values) -> None:
+    """Set the uniforms a program has among the given ones."""
+    for name, value in values.items():
+        if name not in use:
+            continue
+        uniform = use[name]
+        if isinstance(value, bytes):
+            uniform.write(value[:4 * uniform.dimension * uniform.array_length] if uniform.array_length > 1 else value)
+        else:
+            uniform.value = value
+
+
+def on_gpu(values: dict) -> dict:
+    """The step's values as uniforms; data that is no uniform (a mesh) stays behind."""
+    return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
+
+
+def linear(encoded) -> np.ndarray:
+    """sRGB 0 to 1 to linear light (IEC 61966-2-1)."""
+    c = np.asarray(encoded, float)
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+
+
+def look(theme: Theme) -> dict:
+    """What a theme gives to a scene."""
+    return {"background": tuple(linear(rgb(theme.background))),
+            "palette": linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
+            "colormap_stops": linear(STOPS[theme.colormap]).astype("f4").tobytes()}
+
+
+class Stage:
+    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
+        self.ctx, self.source, self.scene = ctx, source, source.scene
+        self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
+        self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
+        self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
+        self.programs: dict[str, moderngl.Program] = {}
+        self.target_parts: list = []
+        self.faults_only: dict[moderngl.Framebuffer, moderngl.Framebuffer] = {}
+        self.fine: moderngl.Framebuffer | None = None
+        self.mesh_texture: moderngl.Texture | None = None
+        with ctx:
+            self.compile(None)
+            self.place(triangles)
+
+    def compile(self, names: tuple[str, ...] | None) -> None:
+        texts = programs(self.scene, self.source.file, self.source.first, names=names)
+        for name, (vertex, fragment) in texts.items():
+            self.programs[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",))
+
+    # --- constant data ---------------------------------------------------------------------------------------------
+    def place(self, triangles: np.ndarray | None) -> None:
+        """Put the scene's constant arrays on the GPU; `triangles` (faces, 3, 3) is the step's mesh."""
+        self.release_geometry()
+        for surface in self.scene.surfaces:
+            if not surface.mesh:
+                self.keep(surface.name, "2f", "stage_st", *grid(surface.cells))
+            elif triangles is not None:
+                self.keep(surface.name, "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
+                self.mesh_texture = self.mesh_texture or mesh_texture(self.ctx, triangles)
+        for mark in self.scene.marks:
+            self.keep(mark.name, "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
+
+    def keep(self, name: str, layout: str, attribute: str, corners: np.ndarray, indices: np.ndarray | None = None) -> None:
+        self.geometry[name] = ((self.ctx.buffer(corners), layout, attribute),
+                               None if indices is None else self.ctx.buffer(indices))
+
+    def array(self, use: str, name: str = "") -> moderngl.VertexArray:
+        """The vertex array that feeds the program `use` with the geometry `name`."""
+        if (use, name) not in self.arrays:
+            data, indices = self.geometry.get(name, (None, None))
+            content = [data] if data and data[2] in self.programs[use] else []
+            self.arrays[use, name] = self.ctx.vertex_array(self.programs[use], content, indices)
+        return self.arrays[use, name]
+
+    # --- drawing ---------------------------------------------------------------------------------------------------
+    def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme, fine: bool = True) -> moderngl.Texture:
+        """The picture at these values, with soft edges when `fine`; the texture stays the same until the size changes."""
+        with self.ctx:
+            self.resize(size)
+            target = self.fine_target() if fine and self.ctx.max_samples >= SAMPLES else self.shown
+            self.set_uniforms(values, camera, theme)
+            before = self.ctx.fbo
+            target.clear(*rgb(theme.background), 1.0)
+            self.faults_only[target].clear()
+            target.use()  # last: clearing a framebuffer without depth leaves the depth mask off
+            self.paint(values, target)
+            if target is not self.shown:
+                self.ctx.copy_framebuffer(self.shown, target)
+            before.use()
+            return self.textures[0]
+
+    def resize(self, size: tuple[int, int]) -> None:
+        size = max(1, int(size[0])), max(1, int(size[1]))
+        if size == self.size:
+            return
+        limit = self.ctx.info["GL_MAX_TEXTURE_SIZE"]
+        if max(size) > limit:
+            raise Problem(f"a picture of {size[0]} x {size[1]} pixels is larger than this OpenGL can draw ({limit}).")
+        self.release_targets()
+        self.size = size
+        self.textures = [self.ctx.texture(size, 4), self.ctx.texture(size, 4)]
+        self.shown = self.target(self.textures, self.ctx.depth_renderbuffer(size))
+
+    def target(self, colours: list, depth: moderngl.Renderbuffer) -> moderngl.Framebuffer:
+        """A framebuffer for picture and faults; the faults also alone, because they are cleared to nothing."""
+        whole = self.ctx.framebuffer(colours, depth)
+        self.faults_only[whole] = self.ctx.framebuffer(colours[1:])
+        self.target_parts += [*colours, depth]
+        return whole
+
+    def fine_target(self) -> moderngl.Framebuffer:
+        if self.fine is None:
+            colours = [self.ctx.renderbuffer(self.size, 4, samples=SAMPLES) for _ in range(2)]
+            self.fine = self.target(colours, self.ctx.depth_renderbuffer(self.size, samples=SAMPLES))
+        return self.fine
+
+    def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
+        """Opaque surfaces, then dots and marks, then what one looks through."""
+        ctx = self.ctx
+        ctx.enable_only(moderngl.DEPTH_TEST | moderngl.PROGRAM_POINT_SIZE)
+        solid = [i for i, s in enumerate(self.scene.surfaces) if s.opacity >= 1]
+        for i in solid:
+            self.paint_surface(i)
+        ctx.enable(moderngl.BLEND)
+        ctx.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        if "dots" in self.programs:
+            self.array("dots").render(moderngl.POINTS, self.dot_count(values))
+        for i, mark in enumerate(self.scene.marks):
+            self.paint_mark(i, mark)
+        target.depth_mask = False
+        for i in range(len(self.scene.surfaces)):
+            if i not in solid:
+                self.paint_surface(i)
+        target.depth_mask = True
+        ctx.enable_only(moderngl.NOTHING)
+
+    def paint_surface(self, i: int, suffix: str = "") -> None:
+        surface = self.scene.surfaces[i]
+        if surface.name not in self.geometry:
+            return
+        name = program_of(surface) + suffix
+        if self.mesh_texture is not None:
+            self.mesh_texture.use(0)
+        give(self.programs[name], surface=i, opacity=surface.opacity)
+        self.array(name, surface.name).render()
+
+    def paint_mark(self, i: int, mark: Mark) -> None:
+        width = self.line_width * mark.width
+        steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
+        give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour), dash=LINES.index(mark.line),
+             tip=TIPS.index(mark.tip), line_width=width, tip_size=TIP_SIZE[mark.tip] * width)
+        self.array("mark", mark.name).render()
+
+    def dot_count(self, values: dict) -> int:
+        count = self.scene.dots.count if self.scene.dots else 0
+        return int(values[count]) if isinstance(count, str) else count
+
+    def set_uniforms(self, values: dict, camera: Camera, theme: Theme) -> None:
+        self.matrix = orbit.view_projection(camera, self.size[0] / self.size[1])
+        self.line_width = theme.line * max(0.75, min(self.size) / 620)
+        dot = 2.0 * self.line_width * (self.scene.dots.size if self.scene.dots else 1.0)
+        stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": self.size,
+                               "camera_position": tuple(orbit.position(camera)), "dot_size": dot}
+        for use in self.programs.values():
+            give(use, **on_gpu(values), **stage)
+
+    # --- answers ---------------------------------------------------------------------------------------------------
+    def probes(self, values: dict) -> np.ndarray:
+        """`probe(i)` for every probe the labels and handles name: (n, 4)."""
+        wanted = [thing.probe for thing in (*self.scene.labels, *self.scene.handles)]
+        if not wanted:
+            return np.zeros((0, 4))
+        return self.transform("probe", max(wanted) + 1, **on_gpu(values))
+
+    def anchors(self, values: dict) -> dict[str, np.ndarray]:
+        """Where each mark's label stands: name -> point in the world."""
+        return {mark.name: self.transform("anchor", 1, mark=i, mark_t=mark.label_at, **on_gpu(values))[0, :3]
+                for i, mark in enumerate(self.scene.marks) if mark.label}
+
+    def transform(self, name: str, count: int, **given) -> np.ndarray:
+        with self.ctx:
+            use = self.programs[name]
+            give(use, **given)
+            before, out = self.ctx.fbo, self.ctx.buffer(reserve=16 * count)
+            pixel(self.ctx).use()
+            self.array(name).transform(out, moderngl.POINTS, count)
+            before.use()
+            answer = np.frombuffer(out.read(), "f4").reshape(count, 4).astype(float)
+            out.release()
+            return answer
+
+    def faults(self) -> Faults:
+        """The faulty pixels of the last picture."""
+        with self.ctx:
+            found = np.frombuffer(self.shown.read(components=4, attachment=1), "u1").reshape(-1, 4)
+        if not np.count_nonzero(found.view("<u4") & 0xFFFFFF):
+            return Faults()
+        return Faults(*(int(np.count_nonzero(found[:, i])) for i in range(3)))
+
+    def pixels(self) -> np.ndarray:
+        """uint8 (height, width, 3), the top row first."""
+        with self.ctx:
+            data = np.frombuffer(self.shown.read(components=3, alignment=1), "u1")
+        return data.reshape(self.size[1], self.size[0], 3)[::-1]
+
+    # --- the end ---------------------------------------------------------------------------------------------------
+    def release_geometry(self) -> None:
+        for array in self.arrays.values():
+            array.release()
+        for data, indices in self.geometry.values():
+            data[0].release()
+            if indices is not None:
+                indices.release()
+        if self.mesh_texture is not None:
+            self.mesh_texture.release()
+        self.arrays, self.geometry, self.mesh_texture = {}, {}, None
+
+    def release_targets(self) -> None:
+        for whole, alone in self.faults_only.items():
+            whole.release()
+            alone.release()
+        for part in self.target_parts:
+            part.release()
+        self.faults_only, self.target_parts, self.fine = {}, [], None
+
+    def release(self) -> None:
+        """Give back everything but the programs, which the context keeps for the next stage."""
+        with self.ctx:
+            self.release_geometry()
+            self.release_targets()
+
+
+def program_of(surface: Surface) -> str:
+    return "mesh" if surface.mesh else "surface"

@@ -1,0 +1,93 @@
+"""A scene as programs (text) and constant arrays: what the window, a still and a page all play. No GL here."""
+
+from dataclasses import dataclass
+from typing import get_args
+
+import numpy as np
+
+from app import shader
+from app.lesson import Colour, Scene
+
+COLOURS: tuple[str, ...] = get_args(Colour)  # in the order of glsl/display/palette.glsl
+LINES = ("solid", "dashed", "dotted", "dashdot")
+TIPS = ("none", "arrow", "sun", "eye", "dot")
+PARTS = {  # program -> (its vertex text, its fragment text) around the scene's own text
+    "surface": (("", "stage/surface.vert"), ("stage/surface.glsl", "stage/shade.frag")),
+    "mesh": (("", "stage/mesh.vert"), ("stage/surface.glsl", "stage/shade.frag")),
+    "surface values": (("", "stage/surface.vert"), ("stage/surface.glsl", "stage/values.frag")),
+    "mesh values": (("", "stage/mesh.vert"), ("stage/surface.glsl", "stage/values.frag")),
+    "dots": (("", "stage/dots.vert"), ("", "stage/dots.frag")),
+    "mark": (("", "stage/mark.vert"), ("", "stage/mark.frag")),
+    "probe": (("", "stage/probe.vert"), None),
+    "anchor": (("", "stage/anchor.vert"), None),
+}
+Programs = dict[str, tuple[shader.Assembled, shader.Assembled | None]]
+
+
+@dataclass(frozen=True)
+class Source:
+    """A scene with the place its GLSL was written: for messages that name the lesson's own line."""
+
+    scene: Scene
+    file: str = "scene"
+    first: int = 1
+
+
+def needed(scene: Scene) -> tuple[str, ...]:
+    """The programs a scene has work for."""
+    kinds = {s.mesh for s in scene.surfaces}
+    wanted = [name for name, mesh in (("surface", False), ("mesh", True)) if mesh in kinds]
+    wanted += ["dots"] * bool(scene.dots) + ["mark"] * bool(scene.marks)
+    wanted += ["probe"] * bool(scene.labels or scene.handles) + ["anchor"] * any(m.label for m in scene.marks)
+    return tuple(wanted)
+
+
+def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
+             names: tuple[str, ...] | None = None) -> Programs:
+    """name -> (vertex, fragment or None) for every program the scene needs (or the named ones)."""
+    own = {"scene": shader.Source(scene.glsl, file, first)}
+
+    def text(part: tuple[str, str]) -> shader.Assembled:
+        before, after = part
+        lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
+        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
+
+    found: Programs = {}
+    for name in needed(scene) if names is None else names:
+        vertex, fragment = PARTS[name]
+        found[name] = text(vertex), text(fragment) if fragment else None
+    return found
+
+
+def grid(cells: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (n, 2) of a grid over the unit square, float32, and triangle indices, int32."""
+    s, t = np.meshgrid(np.linspace(0, 1, cells[0] + 1), np.linspace(0, 1, cells[1] + 1))
+    at = np.arange(s.size, dtype=np.int32).reshape(s.shape)
+    a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, 1:], at[1:, :-1]
+    return np.stack([s, t], -1).reshape(-1, 2).astype("f4"), np.stack([a, b, c, a, c, d], -1).reshape(-1)
+
+
+def pen(segments: int, tip: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (n, 3) of a line of `segments` pieces, and of the square its tip is drawn in; triangle indices."""
+    t = np.linspace(0, 1, segments + 1)
+    corners = [np.stack([np.repeat(t, 2), np.tile([-1.0, 1.0], len(t)), np.zeros(2 * len(t))], -1)]
+    i = np.arange(segments, dtype=np.int32)[:, None] * 2
+    indices = [(i + [0, 1, 3, 0, 3, 2]).reshape(-1)]
+    if tip:
+        corners.append(np.array([[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]], float))
+        indices.append(2 * len(t) + np.array([0, 1, 2, 0, 2, 3]))
+    return np.concatenate(corners).astype("f4"), np.concatenate(indices).astype("i4")
+
+
+def vertices(scene: Scene, mesh_triangles: np.ndarray | None = None, values: dict | None = None) -> dict[str, int]:
+    """How many vertices each part of a scene sends through its vertex shader."""
+    found: dict[str, int] = {}
+    for surface in scene.surfaces:
+        found[surface.name] = (3 * len(mesh_triangles) if mesh_triangles is not None else 0) if surface.mesh else (
+            (surface.cells[0] + 1) * (surface.cells[1] + 1))
+    for mark in scene.marks:
+        found[mark.name] = 2 * (mark.segments + 1) + 4 * (mark.tip != "none")
+    if scene.dots:
+        count = scene.dots.count
+        found["dots"] = int((values or {}).get(count, 0)) if isinstance(count, str) else count
+    return found
