@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.solid_angle import solid_angle_polygon_naive, solid_angle_triangle_edges
+from app.optics.solid_angle import _dot, solid_angle_polygon_naive, solid_angle_triangle_edges
 
 
 def _corners(corners, size, distance, x, y):
@@ -32,17 +32,27 @@ def outline_corner(corner_a, corner_b, corner_c, corner_d, corner_e, corner_coun
 def solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):
     """The solid angle of the outline seen from (x, y, 0), by a fan of triangles given by their edges.
 
-    |sum of solid_angle_triangle_edges(a, size (P_i - P_1), size (P_i+1 - P_1))|, a = (size P_1 - (x, y), distance)
+    |sum of solid_angle_triangle_edges(a, size (P_i - P), size (P_i+1 - P))|, P the corner nearest to the eye,
+    a = (size P - (x, y), distance)
 
     corner_a .. corner_e (..., 2), corner_count (...) 3 .. 5, size, distance, x, y (...) m. Returns (...) sr.
     Errors: none. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    first, others = np.asarray(corner_a, float), (corner_b, corner_c, corner_d, corner_e)
-    a = _corners((first,), size, distance, x, y)[..., 0, :]
-    b, c, d, e = (_corners((np.asarray(corner, float) - first,), size, 0, 0, 0)[..., 0, :] for corner in others)
-    fourth, fifth = np.asarray(corner_count) > 3, np.asarray(corner_count) > 4
-    return np.abs(solid_angle_triangle_edges(a, b, c) + fourth * solid_angle_triangle_edges(a, c, d)
-                  + fifth * solid_angle_triangle_edges(a, d, e))
+    fan, used = _fan((corner_a, corner_b, corner_c, corner_d, corner_e), corner_count, size, distance, x, y)
+    return np.abs(np.sum(np.where(used, solid_angle_triangle_edges(*fan), 0), -1))
+
+
+def _fan(around, corner_count, size, distance, x, y):
+    """(..., 3) triangles of the outline from its nearest corner as (a, ab, ac), and which of them are used."""
+    points = _corners(around, size, distance, x, y)
+    count = np.broadcast_to(corner_count, points.shape[:-2])[..., None]
+    away = np.where(np.arange(5) < count, _dot(points, points), np.inf)
+    order = (np.argmin(away, -1)[..., None] + np.arange(5)) % count
+    flat = np.stack(np.broadcast_arrays(*(np.asarray(corner, float) for corner in around)), -2)
+    flat = np.take_along_axis(np.broadcast_to(flat, (*points.shape[:-1], 2)), order[..., None], -2)
+    edges = _corners(np.moveaxis(flat - flat[..., :1, :], -2, 0), size, 0, 0, 0)
+    nearest = np.take_along_axis(points, order[..., :1, None], -2)
+    return (nearest, edges[..., 1:-1, :], edges[..., 2:, :]), np.arange(2, 5) < count
 
 
 def solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):

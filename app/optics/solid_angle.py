@@ -163,69 +163,99 @@ def solid_angle_rectangle_naive(width, depth, distance):
     return 4 * np.arccos(np.minimum(1, np.sqrt((1 + a * a + b * b) / ((1 + a * a) * (1 + b * b)))))
 
 
+def solid_angle_rectangle_beside(x0, x1, width, depth, distance):
+    """The solid angle of the rectangle x0 .. x1, 0 .. depth in the plane z = distance, to one side of the origin.
+
+    p^2 = depth^2 + distance^2, r^2 = x^2 + p^2: atan2(depth distance width (x0 + x1) p^2 / (x1 r0 + x0 r1),
+    distance^2 r0 r1 + x0 x1 depth^2), the difference of two corners' angles in one arctangent
+
+    0 <= x0 < x1, width = x1 - x0 as the caller knows it, depth, distance >= 0 (...) m. Returns (...) sr. Errors: none.
+    Source: deck, Solid Angles; the corner sum rearranged here.
+    """
+    x0, x1, width, depth, distance = (np.asarray(x, float) for x in (x0, x1, width, depth, distance))
+    p = np.hypot(depth, distance)
+    r0, r1 = np.hypot(x0, p), np.hypot(x1, p)
+    rise = width * (x0 + x1) * p / (x1 * r0 + x0 * r1) * p
+    return np.arctan2(depth * distance * rise, distance * distance * r0 * r1 + x0 * x1 * depth * depth)
+
+
 def solid_angle_rectangle_off_axis(x0, x1, y0, y1, distance):
     """The solid angle of the rectangle x0 .. x1, y0 .. y1 in the plane z = distance, seen from the origin.
 
-    Where the axis meets it the four corners add up, sum of atan(|x y| / (distance sqrt(x^2 + y^2 + distance^2)));
-    elsewhere that sum cancels, and two triangles in the edge form do not.
+    Where the axis meets it the four corners add up, sum of atan(|x y| / (distance sqrt(x^2 + y^2 + distance^2))); the
+    sum cancels elsewhere: beside one axis two of solid_angle_rectangle_beside, beside both two triangles by their edges.
 
-    x0 <= x1, y0 <= y1, distance >= 0 (...) m. Returns (...) sr. Errors: none.
+    x0 < x1, y0 < y1, distance >= 0 (...) m. Returns (...) sr. Errors: none.
     Sources: deck, Solid Angles; van Oosterom and Strackee 1983.
     """
     x0, x1, y0, y1, d = np.broadcast_arrays(*(np.asarray(x, float) for x in (x0, x1, y0, y1, distance)))
-    corners = sum(np.arctan2(np.abs(x * y), d * np.hypot(d, np.hypot(x, y))) for x in (x0, x1) for y in (y0, y1))
-    a, b, c, e = (np.stack([x, y, d], -1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1)))
-    triangles = solid_angle_triangle(a, b, c) + solid_angle_triangle(a, c, e)
-    return np.where((x0 * x1 <= 0) & (y0 * y1 <= 0), corners, triangles)[()]
+    w, h, zero = x1 - x0, y1 - y0, np.zeros(d.shape)
+    (x0, x1), (y0, y1) = (np.where(high <= 0, (-high, -low), (low, high)) for low, high in ((x0, x1), (y0, y1)))
+    over = sum(np.arctan2(np.abs(x * y), d * np.hypot(d, np.hypot(x, y))) for x in (x0, x1) for y in (y0, y1))
+    right = sum(solid_angle_rectangle_beside(np.maximum(x0, 0), x1, w, np.abs(y), d) for y in (y0, y1))
+    above = sum(solid_angle_rectangle_beside(np.maximum(y0, 0), y1, h, np.abs(x), d) for x in (x0, x1))
+    corner, ab, ac, ad = (np.stack(v, -1) for v in ((x0, y0, d), (w, zero, zero), (w, h, zero), (zero, h, zero)))
+    off = np.abs(solid_angle_triangle_edges(corner, ab, ac)) + np.abs(solid_angle_triangle_edges(corner, ac, ad))
+    return np.select([(x0 > 0) & (y0 > 0), x0 > 0, y0 > 0], [off, right, above], over)[()]
 
 
 def _dot(a, b):
     return np.sum(a * b, -1)
 
 
-def _triangle(a, ab, ac):
-    """Numerator and denominator of the tangent of half the solid angle, in the edge form."""
+def solid_angle_triangle_edges(a, ab, ac):
+    """The signed solid angle of a triangle given by its corner nearest to the eye and the two edges there.
+
+    b = a + ab, c = a + ac: 2 atan2(a . (ab x ac), |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
+
+    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of its
+    two sides. Errors: none if a is the nearest corner. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane
+    Triangle, with the edges, which do not cancel for a small triangle.
+    """
+    a, ab, ac = (np.asarray(v, float) for v in (a, ab, ac))
     b, c = a + ab, a + ac
     x, y, z = (np.sqrt(_dot(v, v)) for v in (a, b, c))
-    return _dot(a, np.cross(ab, ac)), x * y * z + _dot(a, b) * z + _dot(a, c) * y + _dot(b, c) * x
+    volume = _dot(a, np.cross(ab, ac))
+    spread = x * y * z + _dot(a, b) * z + _dot(a, c) * y + _dot(b, c) * x
+    return np.where(volume == 0, 0.0, 2 * np.arctan2(volume, spread))[()]
+
+
+def solid_angle_face(a, b, c, eye):
+    """The solid angle of a triangle seen from the eye, with a sign: positive where the eye sees a, b, c run clockwise.
+
+    solid_angle_triangle_edges from the corner nearest to the eye
+
+    a, b, c, eye (..., 3) m. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane. A closed mesh, its faces
+    counter-clockwise from outside, sums to +4 pi inside. Errors: none.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
+    """
+    a, b, c, eye = np.broadcast_arrays(*(np.asarray(v, float) for v in (a, b, c, eye)))
+    nearest = np.argmin([_dot(v - eye, v - eye) for v in (a, b, c)], 0)[..., None]
+    first, second, third = (np.where(nearest == 0, u, np.where(nearest == 1, v, w))
+                            for u, v, w in ((a, b, c), (b, c, a), (c, a, b)))
+    return solid_angle_triangle_edges(first - eye, second - first, third - first)
+
+
+def solid_angle_triangle_signed(a, b, c):
+    """The solid angle of a triangle seen from the origin, positive where a, b, c run clockwise.
+
+    solid_angle_face(a, b, c, 0)
+
+    a, b, c (..., 3) m. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane. Errors: none.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
+    """
+    return solid_angle_face(a, b, c, np.zeros(3))
 
 
 def solid_angle_triangle(a, b, c):
     """The solid angle of a triangle seen from the origin.
 
-    2 atan2(|a . ((b - a) x (c - a))|, |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|), vertices as they are, not normalised
+    2 atan2(|a . ((b - a) x (c - a))|, |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|), a the nearest corner, not normalised
 
-    a, b, c (..., 3) m. Returns (...) sr, 0 .. 2 pi; 2 pi from a point inside the triangle, 0 from an edge, a corner or
-    elsewhere in its plane. Errors: none. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
-    """
-    a, b, c = (np.asarray(v, float) for v in (a, b, c))
-    volume, spread = _triangle(a, b - a, c - a)
-    return 2 * np.arctan2(np.abs(volume), spread)
-
-
-def solid_angle_triangle_signed(a, b, c):
-    """The solid angle of a triangle with a sign: positive where the eye sees a, b, c run clockwise.
-
-    2 atan2(a . ((b - a) x (c - a)), |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
-
-    a, b, c (..., 3) m from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of its two
-    sides. A closed mesh, its faces counter-clockwise from outside, sums to +4 pi inside. Errors: none.
+    a, b, c (..., 3) m. Returns (...) sr, 0 .. 2 pi; 0 in the triangle's own plane. Errors: none.
     Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    a, b, c = (np.asarray(v, float) for v in (a, b, c))
-    return solid_angle_triangle_edges(a, b - a, c - a)
-
-
-def solid_angle_triangle_edges(a, ab, ac):
-    """The signed solid angle of a triangle given by a corner and its two edges, for one small beside its distance.
-
-    solid_angle_triangle_signed(a, a + ab, a + ac), without the rounding of b and c
-
-    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane. Errors: none.
-    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
-    """
-    volume, spread = _triangle(*(np.asarray(v, float) for v in (a, ab, ac)))
-    return np.where(volume == 0, 0.0, 2 * np.arctan2(volume, spread))[()]
+    return np.abs(solid_angle_triangle_signed(a, b, c))
 
 
 def _triangle_naive(a, b, c):
@@ -278,7 +308,7 @@ def solid_angle_polygon_naive(corners, corner_count):
 def solid_angle_mesh(triangles, eye):
     """The signed solid angles of a mesh's faces, summed: 4 pi inside a closed mesh, 0 outside, between for an open one.
 
-    sum over faces of solid_angle_triangle_edges(a - eye, b - a, c - a)
+    sum over faces of solid_angle_face(a, b, c, eye)
 
     triangles (faces, 3, 3) m, counter-clockwise from outside; eye (..., 3) m. Returns (...) sr. A face whose plane the
     eye is in counts 0: on a face of a closed mesh the sum is 2 pi, on an edge or corner the angle of the solid there,
@@ -288,7 +318,7 @@ def solid_angle_mesh(triangles, eye):
     triangles, eye = np.asarray(triangles, float), np.asarray(eye, float)
     if eye.ndim == 1:
         a, b, c = np.moveaxis(triangles, 1, 0)
-        return np.sum(solid_angle_triangle_edges(a - eye, b - a, c - a))
+        return np.sum(solid_angle_face(a, b, c, eye))
     sums = [solid_angle_mesh(triangles, e) for e in eye.reshape(-1, 3)]
     return np.reshape(sums, eye.shape[:-1])
 

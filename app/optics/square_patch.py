@@ -7,7 +7,7 @@ turns it about the horizontal axis through its centre. Only what the horizon cut
 import numpy as np
 
 from app.optics.projected_solid_angle import _AT, _WEIGHT, projected_solid_angle_polygon
-from app.optics.solid_angle import solid_angle_rectangle_off_axis, solid_angle_triangle_edges
+from app.optics.solid_angle import solid_angle_rectangle_beside, solid_angle_rectangle_off_axis
 from app.optics.spherical import direction, direction_phi, direction_theta, fibonacci_direction
 
 
@@ -43,18 +43,15 @@ def solid_angle_patch(distance, tilt, width):
     """The solid angle of the square, exactly.
 
     In the square's own plane, distance |cos tilt| away and slid by distance sin tilt: solid_angle_rectangle_off_axis
-    where the eye is over the square, else two triangles by their edges.
+    where the eye is over the square, else twice solid_angle_rectangle_beside.
 
     distance, width (...) m, tilt (...) rad. Returns (...) sr. Errors: none. Source: deck, Solid Angles.
     """
     distance, tilt, width = np.broadcast_arrays(*(np.asarray(x, float) for x in (distance, tilt, width)))
-    slide, height = distance * np.sin(tilt), np.abs(distance * np.cos(tilt))
-    h, zero = 0.5 * width, np.zeros(width.shape)
+    slide, height, h = np.abs(distance * np.sin(tilt)), np.abs(distance * np.cos(tilt)), 0.5 * width
     over = solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, height)
-    corner, ab, ac, ad = (np.stack(v, -1) for v in ((-h, slide - h, height), (width, zero, zero), (width, width, zero),
-                                                    (zero, width, zero)))
-    beside = solid_angle_triangle_edges(corner, ab, ac) + solid_angle_triangle_edges(corner, ac, ad)
-    return np.where(np.abs(slide) <= h, over, beside)[()]
+    beside = 2 * solid_angle_rectangle_beside(np.maximum(slide - h, 0), slide + h, width, h, height)
+    return np.where(slide <= h, over, beside)[()]
 
 
 def solid_angle_patch_small(distance, tilt, width):

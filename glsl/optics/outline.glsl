@@ -9,13 +9,18 @@ vec3 outline_corner(vec2 corner_a, vec2 corner_b, vec2 corner_c, vec2 corner_d, 
 }
 
 float solid_angle_outline(vec2 corner_a, vec2 corner_b, vec2 corner_c, vec2 corner_d, vec2 corner_e, int corner_count, float size, float distance, float x, float y) {
-    // Solid Angles: the outline seen from (x, y, 0), a fan of triangles by their edges
-    vec3 a = vec3(size * corner_a - vec2(x, y), distance);
-    vec3 ab = vec3(size * (corner_b - corner_a), 0.0), ac = vec3(size * (corner_c - corner_a), 0.0);
-    vec3 ad = vec3(size * (corner_d - corner_a), 0.0), ae = vec3(size * (corner_e - corner_a), 0.0);
-    float sum = solid_angle_triangle_edges(a, ab, ac);
-    if (corner_count > 3) sum += solid_angle_triangle_edges(a, ac, ad);
-    if (corner_count > 4) sum += solid_angle_triangle_edges(a, ad, ae);
+    // Solid Angles: the outline seen from (x, y, 0), a fan of triangles by their edges from the nearest corner
+    vec2 corners[5] = vec2[5](corner_a, corner_b, corner_c, corner_d, corner_e), eye = vec2(x, y);
+    int first = 0;
+    for (int i = 1; i < corner_count; i++) {
+        if (length(size * corners[i] - eye) < length(size * corners[first] - eye)) first = i;
+    }
+    vec3 a = vec3(size * corners[first] - eye, distance);
+    float sum = 0.0;
+    for (int i = 2; i < corner_count; i++) {
+        vec2 ab = corners[(first + i - 1) % corner_count] - corners[first], ac = corners[(first + i) % corner_count] - corners[first];
+        sum += solid_angle_triangle_edges(a, vec3(size * ab, 0.0), vec3(size * ac, 0.0));
+    }
     return abs(sum);
 }
 

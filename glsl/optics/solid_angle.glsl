@@ -74,25 +74,31 @@ float solid_angle_rectangle_naive(float width, float depth, float distance) {
     return 4.0 * arccos(sqrt((1.0 + a * a + b * b) / ((1.0 + a * a) * (1.0 + b * b))));
 }
 
-float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
-    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with edge differences
-    float x = length(a), y = length(b), z = length(c);
-    float volume = dot(a, cross(b - a, c - a));
-    return 2.0 * arctan2(abs(volume), x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
-}
-
 float solid_angle_triangle_edges(vec3 a, vec3 ab, vec3 ac) {
-    // van Oosterom and Strackee 1983; positive where a, b, c run clockwise; 0 in the triangle's own plane
+    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle; positive where a, b, c run clockwise
     vec3 b = a + ab, c = a + ac;
     float x = length(a), y = length(b), z = length(c);
     float volume = dot(a, cross(ab, ac));
-    if (volume == 0.0) return 0.0;
+    if (volume == 0.0) return 0.0; // the eye is in the triangle's plane
     return 2.0 * arctan2(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
 }
 
+float solid_angle_face(vec3 a, vec3 b, vec3 c, vec3 eye) {
+    // van Oosterom and Strackee 1983, from the corner nearest to the eye; positive where a, b, c run clockwise
+    float x = length(a - eye), y = length(b - eye), z = length(c - eye);
+    if (y < x && y <= z) return solid_angle_triangle_edges(b - eye, c - b, a - b);
+    if (z < x) return solid_angle_triangle_edges(c - eye, a - c, b - c);
+    return solid_angle_triangle_edges(a - eye, b - a, c - a);
+}
+
 float solid_angle_triangle_signed(vec3 a, vec3 b, vec3 c) {
-    // van Oosterom and Strackee 1983; positive where a, b, c run clockwise; 0 in the triangle's own plane
-    return solid_angle_triangle_edges(a, b - a, c - a);
+    // van Oosterom and Strackee 1983; positive where a, b, c run clockwise
+    return solid_angle_face(a, b, c, vec3(0.0));
+}
+
+float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
+    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with edge differences
+    return abs(solid_angle_triangle_signed(a, b, c));
 }
 
 float solid_angle_triangle_naive(vec3 a, vec3 b, vec3 c) {
@@ -121,16 +127,26 @@ float solid_angle_polygon_naive(vec3 corners[MAX_CORNERS], int corner_count) {
     return abs(sum);
 }
 
+float solid_angle_rectangle_beside(float x0, float x1, float width, float depth, float distance) {
+    // Solid Angles: x from x0 >= 0 to x1 = x0 + width, y from 0 to depth; the two corners' angles in one arctangent
+    float p = length(vec2(depth, distance)), r0 = length(vec2(x0, p)), r1 = length(vec2(x1, p));
+    float rise = width * (x0 + x1) * p / (x1 * r0 + x0 * r1) * p;
+    return arctan2(depth * distance * rise, distance * distance * r0 * r1 + x0 * x1 * depth * depth);
+}
+
 float solid_angle_rectangle_off_axis(float x0, float x1, float y0, float y1, float distance) {
-    // Solid Angles: four corners' angles where the axis meets the rectangle, else two triangles
-    if (x0 * x1 <= 0.0 && y0 * y1 <= 0.0) {
-        vec4 x = abs(vec4(x0, x1, x0, x1)), y = abs(vec4(y0, y0, y1, y1));
-        float sum = 0.0;
-        for (int i = 0; i < 4; i++) sum += arctan2(x[i] * y[i], distance * length(vec3(x[i], y[i], distance)));
-        return sum;
+    // Solid Angles: four corners' angles where the axis meets the rectangle, else without their differences
+    vec2 x = x1 <= 0.0 ? -vec2(x1, x0) : vec2(x0, x1), y = y1 <= 0.0 ? -vec2(y1, y0) : vec2(y0, y1); // x.y, y.y > 0
+    float w = x1 - x0, h = y1 - y0;
+    if (x.x > 0.0 && y.x > 0.0) {
+        vec3 a = vec3(x.x, y.x, distance); // the nearest corner
+        return abs(solid_angle_triangle_edges(a, vec3(w, 0.0, 0.0), vec3(w, h, 0.0)))
+             + abs(solid_angle_triangle_edges(a, vec3(w, h, 0.0), vec3(0.0, h, 0.0)));
     }
-    vec3 a = vec3(x0, y0, distance), b = vec3(x1, y0, distance), c = vec3(x1, y1, distance), d = vec3(x0, y1, distance);
-    return solid_angle_triangle(a, b, c) + solid_angle_triangle(a, c, d);
+    if (x.x > 0.0) return solid_angle_rectangle_beside(x.x, x.y, w, -y.x, distance) + solid_angle_rectangle_beside(x.x, x.y, w, y.y, distance);
+    if (y.x > 0.0) return solid_angle_rectangle_beside(y.x, y.y, h, -x.x, distance) + solid_angle_rectangle_beside(y.x, y.y, h, x.y, distance);
+    return arctan2(x.x * y.x, distance * length(vec3(x.x, y.x, distance))) + arctan2(-x.x * y.y, distance * length(vec3(x.x, y.y, distance)))
+         + arctan2(-x.y * y.x, distance * length(vec3(x.y, y.x, distance))) + arctan2(x.y * y.y, distance * length(vec3(x.y, y.y, distance)));
 }
 
 float solid_angle_mesh(sampler2D triangles, vec3 eye) {
@@ -143,7 +159,7 @@ float solid_angle_mesh(sampler2D triangles, vec3 eye) {
             vec3 a = texelFetch(triangles, ivec2(i, row), 0).xyz;
             vec3 b = texelFetch(triangles, ivec2(i + 1, row), 0).xyz;
             vec3 c = texelFetch(triangles, ivec2(i + 2, row), 0).xyz;
-            part += solid_angle_triangle_edges(a - eye, b - a, c - a);
+            part += solid_angle_face(a, b, c, eye);
         }
         sum += part;
     }

@@ -15,11 +15,10 @@ vec3 patch_normal(float theta, float phi, float tilt) {
 }
 
 float solid_angle_patch(float distance, float tilt, float width) {
-    // Solid Angles: in the square's own plane; two triangles by their edges where the eye is not over the square
-    float slide = distance * sin(tilt), height = abs(distance * cos(tilt)), h = 0.5 * width;
-    if (abs(slide) <= h) return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, height);
-    vec3 a = vec3(-h, slide - h, height), ab = vec3(width, 0.0, 0.0), ac = vec3(width, width, 0.0), ad = vec3(0.0, width, 0.0);
-    return solid_angle_triangle_edges(a, ab, ac) + solid_angle_triangle_edges(a, ac, ad);
+    // Solid Angles: in the square's own plane, where the eye is over the square or beside it
+    float slide = abs(distance * sin(tilt)), height = abs(distance * cos(tilt)), h = 0.5 * width;
+    if (slide <= h) return solid_angle_rectangle_off_axis(-h, h, slide - h, slide + h, height);
+    return 2.0 * solid_angle_rectangle_beside(slide - h, slide + h, width, h, height);
 }
 
 float solid_angle_patch_small(float distance, float tilt, float width) {

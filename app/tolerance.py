@@ -1,0 +1,132 @@
+"""How far a computed value may lie from the true one: |x - x_ref| <= 8 u (1 + cond + kappa) |x_ref|.
+
+u is half the distance of 1 to the next number of the type. cond is the relative condition number: inputs off by u each
+move the value by up to cond u, so rounding the inputs alone costs that much. kappa is how many times larger the terms
+of a sum are than the sum itself; only the functions of TERMS have one.
+"""
+
+import numpy as np
+
+from app.optics import twin
+from app.optics.outline import _fan as _outline_fan
+from app.optics.projected_solid_angle import _above_horizon
+from app.optics.solid_angle import _dot, _fan
+from app.quantities import TABLE
+
+U = {"float64": 2.0**-53, "float32": 2.0**-24}
+FACTOR = 8.0
+STEP = 2.0**-24  # of the differences: the change that rounding to float32 makes
+SMALLEST = {"float64": 1000 * 2.0**-1022, "float32": 1000 * 2.0**-126}  # below: compared absolutely
+
+
+def norm(value: np.ndarray, is_vector: bool) -> np.ndarray:
+    value = np.asarray(value, float)
+    return np.sqrt(np.sum(value * value, -1)) if is_vector else np.abs(value)
+
+
+def moved(function: str, args: dict, is_vector: bool = False) -> np.ndarray:
+    """cond |f|: by how much f moves, in units of the change, when every input moves; central differences in float64.
+
+    A scalar moves by its own size, a component of a vector by the size of the vector: which axis is x does not matter.
+    """
+    f = twin(function)
+    total = np.zeros_like(norm(f(**args), is_vector))
+    for name, given in args.items():
+        x = np.asarray(given)
+        if x.dtype.kind != "f" or name == "triangles":
+            continue
+        for step in steps(name, x):
+            with np.errstate(invalid="ignore"):  # an infinite value
+                change = f(**args | {name: x + step}) - f(**args | {name: x - step})
+            total = total + norm(change, is_vector) / (2 * STEP)
+    return total
+
+
+def steps(name: str, x: np.ndarray):
+    """The changes of an argument to try: of a scalar at once, of a vector or of corners component by component."""
+    axes = 2 if name == "corners" else 1 if name in TABLE and TABLE[name].width > 1 else 0
+    if axes == 0:
+        yield STEP * x
+        return
+    size = np.sqrt(np.sum(x * x, -1, keepdims=True))
+    for place in np.ndindex(x.shape[x.ndim - axes:]):
+        mask = np.zeros(x.shape[x.ndim - axes:])
+        mask[place] = 1.0
+        yield STEP * size * mask
+
+
+def _contour_terms(corners, corner_count):
+    p = _above_horizon(corners, corner_count)
+    q = np.roll(p, -1, -2)
+    c = np.cross(p, q - p)
+    size = np.sqrt(_dot(c, c))
+    return np.sum(np.abs(c[..., 2]) / np.where(size > 0, size, 1) * np.arctan2(size, _dot(p, q)), -1) / 2
+
+
+def _rectangle_terms(x0, x1, y0, y1, distance):
+    x0, x1, y0, y1, d = np.broadcast_arrays(x0, x1, y0, y1, distance)
+    corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+    return _contour_terms(np.stack([np.stack([x, y, d], -1) for x, y in corners], -2), 4)
+
+
+def _patch_terms(theta, distance, tilt, width):
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    return _contour_terms(np.stack([twin("patch_point")(theta, 0, distance, tilt, width, s, t) for s, t in around], -2), 4)
+
+
+def _sphere_terms(radius, distance, theta):
+    s, mu = radius / distance, np.cos(theta)
+    cut = (np.abs(mu) < s) & (s < 1)
+    z = np.sqrt(np.where(cut, (s - mu) * (s + mu) / ((1 - s) * (1 + s)), 0))
+    return np.where(cut, s * s * z + np.abs(z - np.arctan(z)) + np.abs(mu) * s * s * np.arctan2(z, -mu), 0)
+
+
+def _disk_terms(radius, height, offset):
+    return np.where((np.hypot(height, offset) <= 2 * radius) & (offset <= radius), 2 * np.pi, 0)
+
+
+def _polygon_terms(corners, corner_count):
+    return np.sum(np.abs(twin("solid_angle_triangle_signed")(*_fan(corners, corner_count))), -1)
+
+
+def _mesh_terms(triangles, eye):
+    a, b, c = np.moveaxis(np.asarray(triangles, float), 1, 0)
+    faces = {"a": a, "b": b, "c": c, "eye": np.asarray(eye, float)[..., None, :]}
+    return np.sum(np.abs(twin("solid_angle_face")(**faces)) + moved("solid_angle_face", faces), -1)
+
+
+def _outline_terms(corner_count, size, distance, x, y, **corners):
+    fan, used = _outline_fan(tuple(corners.values()), corner_count, size, distance, x, y)
+    faces = dict(zip(("a", "ab", "ac"), fan, strict=True))
+    value = np.abs(twin("solid_angle_triangle_edges")(**faces)) + moved("solid_angle_triangle_edges", faces)
+    return np.sum(np.where(used, value, 0), -1)
+
+
+TERMS = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "projected_solid_angle_polygon": _contour_terms,
+    "projected_solid_angle_rectangle": _rectangle_terms,
+    "projected_solid_angle_patch": _patch_terms,
+    "projected_solid_angle_sphere": _sphere_terms,
+    "solid_angle_disk": _disk_terms,
+    "solid_angle_polygon": _polygon_terms,
+    "solid_angle_outline": _outline_terms,
+    "solid_angle_mesh": _mesh_terms,
+    "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
+}
+
+
+def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
+    """|got - value| in units of u (1 + cond + kappa) |value|, the value being the float64 twin's at the same inputs.
+
+    A value too small for the type counts 0 when the other is as small, and infinite when it is not.
+    """
+    value, got = np.asarray(twin(function)(**args), float), np.asarray(got, float)
+    size = norm(value, is_vector)
+    cost = size + (moved(function, args, is_vector) if cond is None else cond * size)
+    if function in TERMS:
+        cost = cost + TERMS[function](**args)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        off = norm(np.where(value == got, 0.0, got - value), is_vector)
+        found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
+                         np.where(off == 0, 0.0, off / (U[precision] * cost)))
+    return np.where(np.isnan(found), np.inf, found)
