@@ -1,0 +1,192 @@
+"""Finds and orders the chapters, lessons/ch*.py; a broken lesson stays in the list with the sentence that says why.
+
+`chapters` and `step` are cheap (no numpy); `values_of` looks at the twins a step names.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import cache, cached_property
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+
+from app import shader
+from app.lesson import Chapter, Curves, Figure, Number, Step, Term, Value
+from app.paths import LESSONS
+from app.problem import Problem, Usage, near
+from app.quantities import TABLE, Quantity, entered, quantity
+
+FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
+DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """A chapter as it was found. With a `fault` (one sentence with file and line) it has no steps."""
+
+    id: str
+    number: int
+    file: Path
+    intro: str  # the module's docstring
+    chapter: Chapter
+    fault: str = ""
+
+    @property
+    def file_name(self) -> str:
+        return shader.file_name(self.file)
+
+    @cached_property
+    def source(self) -> str:
+        return self.file.read_text(encoding="utf-8")
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedStep:
+    loaded: Loaded
+    step: Step
+    index: int  # in its chapter
+
+    @property
+    def id(self) -> str:
+        return f"{self.loaded.id}/{self.step.name}"
+
+    @property
+    def chapter(self) -> Chapter:
+        return self.loaded.chapter
+
+    @property
+    def file(self) -> Path:
+        return self.loaded.file
+
+    @property
+    def file_name(self) -> str:
+        return self.loaded.file_name
+
+    @cached_property
+    def glsl_line(self) -> int:
+        """The line of the lesson's file at which the scene's GLSL text begins."""
+        at = self.loaded.source.find(self.step.scene.glsl)
+        return self.loaded.source.count("\n", 0, at) + 1 if at >= 0 else 1
+
+    @cached_property
+    def values(self) -> dict[str, "ValueSpec"]:
+        return values_of(self.step)
+
+
+@dataclass(frozen=True)
+class ValueSpec:
+    """A value a student can change, in internal units (radians)."""
+
+    name: str
+    quantity: Quantity
+    default: Number
+    low: float  # of each number of a vector
+    high: float
+    more: bool = False  # behind "more"
+    choices: tuple[str, ...] = ()  # the words of the numbers 0, 1, 2, ...
+
+
+@cache
+def chapters(folder: Path = LESSONS) -> tuple[Loaded, ...]:
+    return tuple(sorted(map(load, Path(folder).glob("ch*.py")), key=lambda loaded: (loaded.number, loaded.id)))
+
+
+@cache
+def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
+    """Every step of the course, in order."""
+    return tuple(LoadedStep(found, step, i) for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
+
+
+def forget() -> None:
+    """Read the lessons anew when they are asked for next: a lecturer has changed one."""
+    chapters.cache_clear()
+    steps.cache_clear()
+
+
+def step(id: str, folder: Path = LESSONS) -> LoadedStep:
+    known = {found.id: found for found in steps(folder)}
+    if id in known:
+        return known[id]
+    for loaded in chapters(folder):
+        if loaded.fault and id.partition("/")[0] == loaded.id:
+            raise Problem(loaded.fault)
+    raise Usage(f"there is no step {id or 'without a name'}.{near(id, known)}")
+
+
+def load(file: Path) -> Loaded:
+    match = FILE.fullmatch(file.stem)
+    number, id = (int(match[1]), match[2]) if match else (999, file.stem)
+    name = shader.file_name(file)
+
+    def broken(sentence: str, intro: str = "") -> Loaded:
+        empty = Chapter(title=id, idea="This chapter could not be read.", steps=())
+        return Loaded(id, number, file, intro, empty, f"{name}, {sentence}")
+
+    if not match:
+        return broken("line 1: a chapter's file is named like ch01_solid_angle.py.")
+    try:
+        spec = spec_from_file_location(f"lessons.{file.stem}", file)
+        assert spec and spec.loader
+        module = module_from_spec(spec)
+        spec.loader.exec_module(module)
+    except Exception as error:  # whatever a lesson does wrong, the other chapters go on
+        return broken(f"line {line_of(error, file)}: {type(error).__name__}: {getattr(error, 'msg', error)}.")
+    intro = (module.__doc__ or "").strip()
+    chapter = getattr(module, "CHAPTER", None)
+    if not isinstance(chapter, Chapter):
+        return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
+    return Loaded(id, number, file, intro, chapter)
+
+
+def line_of(error: Exception, file: Path) -> int:
+    """Where in the file it went wrong: a syntax error's own line, else the innermost line of the file that ran."""
+    if isinstance(error, SyntaxError) and error.filename == str(file):
+        return error.lineno or 1
+    line, trace = 1, error.__traceback__
+    while trace:
+        if trace.tb_frame.f_code.co_filename == str(file):
+            line = trace.tb_lineno
+        trace = trace.tb_next
+    return line
+
+
+def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
+    """Every twin a step calls: (where, term, the names swept there)."""
+    found = [(f"readout {r.label!r}", r.term, DATA - {"s", "t"}) for r in step.readouts]
+    found.append(("prediction", step.ask.truth, DATA - {"s", "t"}))
+    if isinstance(step.plot, Curves):
+        found += [(f"curve {c.label!r}", c.term, frozenset({"triangles", step.plot.sweep})) for c in step.plot.curves]
+    if isinstance(step.plot, Figure):
+        found += [(f"sheet {s.label!r}", term, DATA) for s in step.plot.sheets for term in (s.term, s.height) if term]
+    return found
+
+
+def values_of(step: Step) -> dict[str, ValueSpec]:
+    """The values of a step: those it lists, its scene's uniforms, what its mesh and its twins need, in this order."""
+    from app.optics import arguments
+
+    scene = step.scene
+    listed = {value.name: value for value in step.values}
+    names = [*listed, *(name for name in shader.uniforms(scene.glsl) if name in TABLE)]
+    if any(surface.mesh for surface in scene.surfaces):
+        names += ["shape"] * (len(scene.meshes) > 1) + ["eye"]
+    if scene.dots and isinstance(scene.dots.count, str):
+        names.append(scene.dots.count)
+    for _, term, swept in terms(step):
+        given = [term.args.get(name, name) for name in arguments(term.function)]
+        names += [name for name in given if isinstance(name, str) and name in TABLE and name not in swept]
+    if isinstance(step.plot, Curves):
+        names.append(step.plot.sweep)
+    return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
+            if name not in DATA}
+
+
+def spec_of(name: str, value: Value, meshes: tuple[str, ...]) -> ValueSpec:
+    table = quantity(name)
+    choices = value.choices or (meshes if name == "shape" else ())
+
+    def inside(given: Number | None, otherwise: Number) -> Number:
+        return otherwise if given is None else entered(name, given)
+
+    low, high = inside(value.low, table.low), inside(value.high, len(choices) - 1 if choices else table.high)
+    assert not isinstance(low, tuple) and not isinstance(high, tuple)
+    return ValueSpec(name, table, inside(value.default, table.default), low, high, value.more, choices)

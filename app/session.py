@@ -1,0 +1,242 @@
+"""A running course, without a window: where one is, what one has changed, what one has guessed.
+
+The window draws this and calls it; a test does the same. Every step keeps its values, its view, its history of changes
+and its answer while others are looked at.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from app import prediction
+from app.catalog import LoadedStep, chapters, step, steps
+from app.lesson import Number
+from app.paths import LESSONS
+from app.prediction import Answer
+from app.problem import Problem, Usage, near
+from app.progress import Progress
+from app.state import State, View, defaults, parse, parse_query, write
+from app.typed import checked
+from app.visit import Visit
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A line of the outline: a step, or a chapter that could not be read (its `fault`)."""
+
+    id: str
+    title: str
+    number: int
+    chapter: str
+    current: bool = False
+    visited: bool = False
+    answered: bool = False
+    minutes: float = 0.0
+    beyond: bool = False
+    fault: str = ""
+
+
+class Session:
+    def __init__(self, start: str = "", progress: Progress | None = None, folder: Path = LESSONS):
+        """Begins at the state string `start`, else where the course was left, else at its first step."""
+        self.folder, self.progress = folder, progress
+        self.message = ""  # one sentence for the person
+        self.frozen = False  # the picture waits for the guess: values stay as they are
+        self.revision = 0  # grows when anything changes that a picture shows
+        self.visits: dict[str, Visit] = {}
+        self.steps = steps(folder)
+        if not self.steps:
+            faults = [found.fault for found in chapters(folder) if found.fault]
+            raise Problem(faults[0] if faults else f"there is no lesson in {folder}.")
+        last = progress.setting("last_step") if progress else None
+        known = {found.id for found in self.steps}
+        self.current = step(start.partition("?")[0] or (last if last in known else self.steps[0].id), folder)
+        self.visit = self.enter(self.current)
+        if "?" in start:
+            self.visit.put(*unpacked(parse(start, folder)))
+
+    # --- where one is ------------------------------------------------------------------------------------------------
+    @property
+    def values(self) -> dict[str, Number]:
+        return self.visit.values
+
+    @property
+    def view(self) -> View:
+        return self.visit.view
+
+    @property
+    def state(self) -> str:
+        """The state string, to copy."""
+        return write(self.current, self.values, self.view)
+
+    @property
+    def place(self) -> int:
+        """The number of the step in the course, from 0."""
+        return next(i for i, found in enumerate(self.steps) if found.id == self.current.id)
+
+    def go(self, text: str) -> None:
+        """To a step as it was left, or to a state string: then its values can be undone."""
+        state = parse(text, self.folder)
+        self.end_change()
+        self.save()
+        self.current = step(state.step, self.folder)
+        self.visit = self.enter(self.current)
+        if "?" in text:
+            self.change(*unpacked(state))
+
+    def next(self) -> bool:
+        return self.move(1)
+
+    def previous(self) -> bool:
+        return self.move(-1)
+
+    def move(self, by: int) -> bool:
+        """Some steps on or back; False at the course's ends."""
+        place = self.place + by
+        if not 0 <= place < len(self.steps):
+            return False
+        self.go(self.steps[place].id)
+        return True
+
+    def enter(self, found: LoadedStep) -> Visit:
+        self.frozen = False
+        self.revision += 1
+        if found.id not in self.visits:
+            self.visits[found.id] = self.remembered(found)
+        return self.visits[found.id]
+
+    def remembered(self, found: LoadedStep) -> Visit:
+        """The step as an earlier day left it."""
+        visit = Visit(defaults(found), View.of(found.step.scene.camera))
+        if self.progress is None:
+            return visit
+        try:
+            state = self.progress.state(found.id)
+            if state is not None:
+                visit.put(*unpacked(parse(state, self.folder)))
+            visit.answer = answer_of(found, self.progress.answer(found.id))
+        except Usage:
+            self.message = f"What you left in {found.id} no longer fits the lesson; it starts afresh."
+        return visit
+
+    def save(self) -> None:
+        """Remember this step on disk: when it is left, when a truth is told, and now and then."""
+        if self.progress:
+            self.progress.put_state(self.current.id, self.state)
+            if not self.progress.save():
+                self.message = self.progress.message
+
+    def outline(self) -> tuple[Entry, ...]:
+        entries = []
+        for found in chapters(self.folder):
+            if found.fault:
+                entries.append(Entry("", found.id, found.number, found.chapter.title, fault=found.fault))
+        for found_step in self.steps:
+            loaded, the = found_step.loaded, found_step.step
+            visit, kept = self.visits.get(found_step.id), self.progress
+            entries.append(Entry(
+                found_step.id, the.title, loaded.number, loaded.chapter.title, found_step.id == self.current.id,
+                visit is not None or bool(kept and kept.visited(found_step.id)),
+                visit.answer.stage == "revealed" if visit else bool(kept and kept.answer(found_step.id)),
+                the.minutes, the.beyond))
+        return tuple(sorted(entries, key=lambda entry: entry.number))
+
+    # --- what one changes --------------------------------------------------------------------------------------------
+    def set(self, name: str, value: Number) -> None:
+        """One value, internal units. Out of range, unknown or while the picture is frozen: a Usage."""
+        if name not in self.values:
+            raise Usage(f"there is no value {name} in {self.current.id}.{near(name, self.values)}")
+        spec = self.current.values[name]
+        self.change({**self.values, name: checked(value, spec, f"{self.current.id}: {name}")}, self.view)
+
+    def apply(self, query: str) -> None:
+        """What a link of the prose sets: `tilt=80&distance=1`, with or without its '?'."""
+        values, view = parse_query(query.removeprefix("?"), self.current)
+        self.change({**self.values, **values}, view or self.view)
+
+    def look(self, view: View) -> None:
+        self.change(self.values, view)
+
+    def reset(self, name: str = "") -> None:
+        """One value to its default, or (without a name) the whole step with its view."""
+        own = defaults(self.current)
+        if name and name not in own:
+            raise Usage(f"there is no value {name} in {self.current.id}.{near(name, own)}")
+        if name:
+            self.change({**self.values, name: own[name]}, self.view)
+        else:
+            self.change(own, View.of(self.current.step.scene.camera))
+
+    def change(self, values: dict[str, Number], view: View) -> None:
+        """Values and view become these; one entry of the history, or part of the drag that is on."""
+        if self.frozen and values != self.values:
+            raise Usage("the picture waits for your guess; unfreeze it to change it.")
+        self.revision += self.visit.change(values, view)
+
+    def begin_change(self) -> None:
+        """A drag begins: what follows is one entry of the history."""
+        self.visit.begin()
+
+    def end_change(self) -> None:
+        self.visit.end()
+
+    def undo(self) -> bool:
+        return not self.frozen and self.moved(self.visit.travel(self.visit.past, self.visit.future))
+
+    def redo(self) -> bool:
+        return not self.frozen and self.moved(self.visit.travel(self.visit.future, self.visit.past))
+
+    def moved(self, done: bool) -> bool:
+        self.revision += done
+        return done
+
+    # --- what one guesses --------------------------------------------------------------------------------------------
+    @property
+    def answer(self) -> Answer:
+        return self.visit.answer
+
+    @property
+    def verdict(self) -> str:
+        """How the guess did, in words; empty before the reveal."""
+        return prediction.words(self.current.step.ask, self.answer)
+
+    def freeze(self, on: bool = True) -> None:
+        """Hold the picture still while the class makes up its mind; the reveal lets it go."""
+        self.end_change()
+        self.frozen = on
+
+    def guess(self, guess: float) -> None:
+        """A number in the question's unit, or the number of a choice; it can be changed until the reveal."""
+        if self.answer.stage == "revealed":
+            raise Usage("the answer is already told; ask again to guess again.")
+        self.visit.answer = prediction.guessed(self.current.step.ask, guess)
+        self.revision += 1
+
+    def reveal(self, **data) -> Answer:
+        """Tell the truth and show its state; without a guess it is told all the same. `data`: a mesh's triangles."""
+        truth = prediction.truth(self.current, **data)
+        self.freeze(False)
+        self.visit.answer = prediction.revealed(self.answer, truth)
+        if self.current.step.ask.sets:
+            self.change(prediction.truth_values(self.current), self.view)
+        self.revision += 1
+        if self.progress:
+            self.progress.put_answer(self.current.id, self.answer.guess, self.answer.choice, truth)
+        self.save()
+        return self.answer
+
+    def ask_again(self) -> None:
+        self.visit.answer = Answer()
+        self.revision += 1
+
+
+def unpacked(state: State) -> tuple[dict[str, Number], View]:
+    return dict(state.values), state.view
+
+
+def answer_of(found: LoadedStep, kept: dict | None) -> Answer:
+    """An answer as the progress file has it, if it still fits the question."""
+    if not kept or not isinstance(kept.get("truth"), int | float):
+        return Answer()
+    given = kept.get("choice") if found.step.ask.choices else kept.get("guess")
+    answer = prediction.guessed(found.step.ask, given) if isinstance(given, int | float) else Answer()
+    return prediction.revealed(answer, float(kept["truth"]))

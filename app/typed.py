@@ -1,0 +1,127 @@
+"""A value as a person types and reads it: screen units in, internal values out, and one sentence when it cannot be.
+
+Angles are in degrees (`30`, `30deg`, `30°`; `0.5rad` too), vectors `0.3,0.2`, named numbers a number or a word.
+"""
+
+import math
+import re
+
+from app.catalog import ValueSpec
+from app.lesson import Number
+from app.problem import Usage, near
+from app.quantities import entered, shown
+
+SLACK = 5e-6  # relative: half a unit in the sixth digit
+ANGLE = re.compile(r"(.*?)\s*(deg|rad|°)?", re.S)
+AXES = ("x", "y", "z")
+
+
+def read(text: str, spec: ValueSpec, where: str) -> Number:
+    """A number (or several, with commas) in screen units as the internal value; out of range is a Usage."""
+    text = unquoted(text)
+    words = [slug(choice) for choice in spec.choices]
+    if slug(text) in words:
+        return words.index(slug(text))
+    parts, width = text.split(","), spec.quantity.width
+    if len(parts) != width:
+        wanted = f"{width} numbers ({', '.join(AXES[:width])})" if width > 1 else "one number"
+        raise Usage(f"{where} takes {wanted}, not {len(parts)}.")
+    numbers = [one(part, spec, where) for part in parts]
+    return checked(tuple(numbers) if width > 1 else numbers[0], spec, where)
+
+
+def one(text: str, spec: ValueSpec, where: str) -> float:
+    unit = None
+    if spec.quantity.is_angle:
+        match = ANGLE.fullmatch(text)
+        assert match
+        text, unit = match[1], match[2]
+    try:
+        value = number(text, where)
+    except Usage:
+        if spec.choices:
+            raise Usage(f"{where} takes one of {', '.join(spec.choices)}.{near(text, spec.choices)}") from None
+        raise
+    if unit == "rad":
+        return value
+    inside = entered(spec.name, value)
+    assert not isinstance(inside, tuple)
+    return inside
+
+
+def number(text: str, where: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value) or "_" in text:
+        raise Usage(f"{where} takes a number, and {text.strip() or 'nothing'} is none.")
+    return value
+
+
+def checked(value: Number, spec: ValueSpec, where: str) -> Number:
+    """The value, whole if it must be; a last digit beyond the range is put on it, more is a Usage."""
+    if isinstance(value, tuple):
+        if len(value) != spec.quantity.width:
+            raise Usage(f"{where} takes {spec.quantity.width} numbers, not {len(value)}.")
+        return tuple(within(x, spec, where) for x in value)
+    if spec.quantity.width > 1:
+        raise Usage(f"{where} takes {spec.quantity.width} numbers, not one.")
+    return within(value, spec, where)
+
+
+def within(value: float, spec: ValueSpec, where: str) -> float:
+    if spec.quantity.kind == "int" and value != round(value):
+        raise Usage(f"{where} takes a whole number {span(spec)}.")
+    if not spec.low - SLACK * abs(spec.low) <= value <= spec.high + SLACK * abs(spec.high):
+        raise Usage(f"{where} takes {spec.name} {span(spec)}.")
+    value = min(max(value, spec.low), spec.high)
+    return round(value) if spec.quantity.kind == "int" else value
+
+
+def span(spec: ValueSpec) -> str:
+    """'from 0.5 to 5 m': the range in screen units."""
+    unit = spec.quantity.screen_unit
+    low, high = (digits(on_screen(spec, bound)) for bound in (spec.low, spec.high))
+    return f"from {low} to {high}{'' if unit in ('', '°') else ' '}{unit}"
+
+
+def on_screen(spec: ValueSpec, value: Number) -> float:
+    on = shown(spec.name, value)
+    assert not isinstance(on, tuple)
+    return on
+
+
+def digits(value: float) -> str:
+    """Six significant digits, in a form a link can carry (no plus sign, no leading zeros in the exponent)."""
+    text = f"{value + 0.0:.6g}"  # + 0.0: no negative zero
+    if "e" not in text:
+        return text
+    mantissa, _, exponent = text.partition("e")
+    return f"{mantissa}e{int(exponent)}"
+
+
+def show(spec: ValueSpec, value: Number | None = None) -> str:
+    """A value (or the default) as the state string has it."""
+    value = spec.default if value is None else value
+    if spec.choices and not isinstance(value, tuple):
+        words = [slug(choice) for choice in spec.choices]
+        word = words[int(value)] if 0 <= value < len(words) else ""
+        return word if word and words.count(word) == 1 else digits(value)
+    if isinstance(value, tuple):
+        return ",".join(digits(on_screen(spec, x)) for x in value)
+    return digits(on_screen(spec, value))
+
+
+def slug(words: str) -> str:
+    """Words as a link can carry them: 'open box' is open-box."""
+    return "-".join(re.findall(r"[a-z0-9]+", words.casefold())) if re.search("[a-z]", words.casefold()) else ""
+
+
+def unquoted(text: str) -> str:
+    """A browser writes ',' as %2C."""
+    if "%" not in text:
+        return text
+    from urllib.parse import unquote
+
+    return unquote(text)
