@@ -16,7 +16,10 @@ from app.problem import Problem, near
 DESKTOP = ("#version 330 core",)
 WEB = ("#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2D;")
 INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"\s*$')
-SIGNATURE = re.compile(r"^(\w+)\s+(\w+)\s*\(([^)]*)\)\s*\{", re.M)
+SIGNATURE = re.compile(r"^(?:(?:highp|mediump|lowp)\s+)?(?!else\b|return\b)(\w+)(?:\s*\[\w*\])?\s+(\w+)\s*"
+                       r"\(([^)]*)\)\s*(\{|;)", re.M)
+PARAMETER = re.compile(r"(?:(?:const|in|out|inout|highp|mediump|lowp)\s+)*(\w+)\s*(?:\[\s*(\w+)\s*\])?\s+"
+                       r"(\w+)\s*(?:\[\s*(\w+)\s*\])?")
 WORD = re.compile(r"[A-Za-z_]\w*")
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
@@ -77,8 +80,8 @@ class Signature:
 def read(name: str) -> str:
     """The text of an included file below glsl/."""
     path = GLSL / name
-    if not path.is_file():
-        known = [p.relative_to(GLSL).as_posix() for p in GLSL.rglob("*.glsl")]
+    if not path.resolve().is_relative_to(GLSL) or not path.is_file():
+        known = [p.relative_to(GLSL).as_posix() for p in GLSL.rglob("*.*")]
         raise Problem(f'there is no glsl/{name}.{near(name, known)}')
     return path.read_text(encoding="utf-8")
 
@@ -89,9 +92,12 @@ def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] |
 
     def walk(text: str, file: str, first: int, path: tuple[str, ...]) -> list[Line]:
         lines: list[Line] = []
-        for number, line in enumerate(text.split("\n"), first):
-            match = INCLUDE.match(line)
+        written = text.split("\n")
+        for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), first):
+            match = INCLUDE.match(code)
             if not match:
+                if code.lstrip().startswith("#include"):
+                    raise Problem(f'{file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
                 lines.append(Line(line, file, number))
                 continue
             name = match[1]
@@ -114,17 +120,29 @@ def blocks(lines: list[Line]) -> list[Block]:
     """Cut lines into top-level declarations: each ends where a ';' or '}' stands outside all braces."""
     found: list[Block] = []
     open_lines: list[Line] = []
-    depth = 0
+    depth, brace = 0, None
     for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
+        if open_lines and line.file != open_lines[-1].file and not has_code(open_lines):
+            open_lines = []  # remarks at the end of a file belong to nothing in the next
         open_lines.append(line)
+        if depth == 0 and "{" in code:
+            brace = line
         depth += code.count("{") - code.count("}")
+        if depth < 0:
+            raise Problem(f"{line.file}, line {line.number}: a }} that closes nothing.")
         whole = code.rstrip()
         if depth == 0 and (whole.endswith((";", "}")) or whole.startswith("#")):
             found.append(block(open_lines))
             open_lines = []
-    if any(line.text.strip() for line in open_lines):
+    if depth and brace:
+        raise Problem(f"{brace.file}, line {brace.number}: a {{ that is never closed.")
+    if has_code(open_lines):
         found.append(block(open_lines))
     return found
+
+
+def has_code(lines: list[Line]) -> bool:
+    return any(code.strip() for code in strip_comments([line.text for line in lines]))
 
 
 def strip_comments(lines: list[str]) -> list[str]:
@@ -139,13 +157,23 @@ def block(lines: list[Line]) -> Block:
     if function:
         return Block(tuple(lines), frozenset({function[2]}), words, True)
     if code.startswith("struct"):
-        return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
+        behind = WORD.findall(code.rpartition("}")[2])
+        return Block(tuple(lines), frozenset([*WORD.findall(code)[1:2], *behind]), words, False)
     if code.startswith("#"):
         return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
-    # the declared names: what stands before '=', '[' or ';', after the type
+    return Block(tuple(lines), declared(code), words, False)
+
+
+def declared(code: str) -> frozenset[str]:
+    """The names a declaration of variables makes: each stands before '=', '[', ',' or ';', outside all brackets."""
     code = re.sub(r"^layout\s*\([^)]*\)", "", code)
-    names = re.findall(r"(\w+)\s*(?:\[[^\]]*\])?\s*(?==|;|,)", code)
-    return Block(tuple(lines), frozenset(names[:1] if "=" in code else names), words, False)
+    if "{" in code and "=" not in code:  # an interface block: it is wanted for any of its members
+        return frozenset(re.findall(r"(\w+)\s*(?:\[[^\]]*\])?\s*[;,]", code))
+    before = None
+    while before != code:  # what stands in brackets declares nothing
+        before, code = code, re.sub(r"\([^()]*\)|\[[^\[\]]*\]|\{[^{}]*\}", "", code)
+    parts = (part.partition("=")[0].split() for part in re.split("[,;]", code))
+    return frozenset(words[-1] for words in parts if words)
 
 
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
@@ -169,7 +197,8 @@ def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = 
     names = [next(iter(p.names)) for p in kept if p.is_function]
     out = [next(iter(p.names)) for p in parts if p.is_function and not p.names & wanted and p.lines[-1].file != file]
     return Assembled("\n".join((*header, *(line.text for line in lines))) + "\n", lines, len(header),
-                     tuple(sorted(used - {file})), tuple(sorted(named - used - {file})), tuple(names), tuple(out))
+                     tuple(sorted(used - {file})), tuple(sorted(named - used - {file})),
+                     tuple(dict.fromkeys(names)), tuple(dict.fromkeys(out)))
 
 
 def translate(message: str, assembled: Assembled) -> str:
@@ -180,8 +209,8 @@ def translate(message: str, assembled: Assembled) -> str:
         if not match:
             continue
         number = int(match[1]) - assembled.header - 1
-        if 0 <= number < len(assembled.lines):
-            line = assembled.lines[number]
+        if number >= 0 and assembled.lines:
+            line = assembled.lines[min(number, len(assembled.lines) - 1)]  # the end of the text is behind its last line
             found.append(f"{line.file}, line {line.number}: {match[3]}")
     return "\n".join(dict.fromkeys(found)) or message.strip()
 
@@ -190,13 +219,11 @@ def signatures(text: str) -> dict[str, Signature]:
     """The functions a GLSL text defines, by name."""
     code = "\n".join(strip_comments(text.split("\n")))
     found = {}
-    for returns, name, inside in SIGNATURE.findall(code):
-        args = []
-        for part in filter(None, (p.strip() for p in inside.split(","))):
-            match = re.fullmatch(r"(?:const\s+|in\s+)?(\w+)\s+(\w+)\s*(?:\[\s*(\w+)\s*\])?", part)
-            if match:
-                args.append(Argument(match[1], match[2], match[3] or ""))
-        found[name] = Signature(name, returns, tuple(args))
+    for returns, name, inside, end in SIGNATURE.findall(code):
+        matches = (PARAMETER.fullmatch(part.strip()) for part in inside.split(","))
+        args = tuple(Argument(m[1], m[3], m[2] or m[4] or "") for m in matches if m)
+        if end == "{":
+            found[name] = Signature(name, returns, args)
     return found
 
 
@@ -214,7 +241,8 @@ def catalogue() -> dict[str, tuple[str, Signature]]:
 def uniforms(text: str) -> dict[str, str]:
     """The uniforms a text declares: name -> type."""
     code = "\n".join(strip_comments(text.split("\n")))
-    return {name: kind for kind, name in re.findall(r"^\s*uniform\s+(\w+)\s+(\w+)", code, re.M)}
+    found = re.findall(r"^\s*uniform\s+(?:(?:highp|mediump|lowp)\s+)?(\w+)\s+([^;{]*);", code, re.M)
+    return {part.split("[")[0].strip(): kind for kind, names in found for part in names.split(",")}
 
 
 def file_name(path: Path) -> str:
