@@ -5,6 +5,8 @@ move the value by up to cond u, so rounding the inputs alone costs that much. ka
 of a sum are than the sum itself; only the functions of TERMS have one.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 
 from app.optics import twin
@@ -71,7 +73,8 @@ def _rectangle_terms(x0, x1, y0, y1, distance):
 
 def _patch_terms(theta, distance, tilt, width):
     around = ((0, 0), (1, 0), (1, 1), (0, 1))
-    return _contour_terms(np.stack([twin("patch_point")(theta, 0, distance, tilt, width, s, t) for s, t in around], -2), 4)
+    corners = [twin("patch_point")(theta, 0, distance, tilt, width, s, t) for s, t in around]
+    return _contour_terms(np.stack(corners, -2), 4)
 
 
 def _sphere_terms(radius, distance, theta):
@@ -102,7 +105,7 @@ def _outline_terms(corner_count, size, distance, x, y, **corners):
     return np.sum(np.where(used, value, 0), -1)
 
 
-TERMS = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,

@@ -183,7 +183,7 @@ def solid_angle_rectangle_off_axis(x0, x1, y0, y1, distance):
     """The solid angle of the rectangle x0 .. x1, y0 .. y1 in the plane z = distance, seen from the origin.
 
     Where the axis meets it the four corners add up, sum of atan(|x y| / (distance sqrt(x^2 + y^2 + distance^2))); the
-    sum cancels elsewhere: beside one axis two of solid_angle_rectangle_beside, beside both two triangles by their edges.
+    sum cancels elsewhere: beside one axis two of solid_angle_rectangle_beside, beside both two triangles by edges.
 
     x0 < x1, y0 < y1, distance >= 0 (...) m. Returns (...) sr. Errors: none.
     Sources: deck, Solid Angles; van Oosterom and Strackee 1983.
@@ -208,9 +208,9 @@ def solid_angle_triangle_edges(a, ab, ac):
 
     b = a + ab, c = a + ac: 2 atan2(a . (ab x ac), |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
 
-    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of its
-    two sides. Errors: none if a is the nearest corner. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane
-    Triangle, with the edges, which do not cancel for a small triangle.
+    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of
+    its two sides. Errors: none if a is the nearest corner.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with the edges, which do not cancel for a small triangle.
     """
     a, ab, ac = (np.asarray(v, float) for v in (a, ab, ac))
     b, c = a + ab, a + ac

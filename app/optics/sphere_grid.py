@@ -12,8 +12,8 @@ def grid_cell(theta, rows):
     of cosines, written as a product so that it does not cancel. Source: deck, slide Basic Concepts.
     """
     theta, high = np.asarray(theta, float), np.pi / np.asarray(rows, float)
-    top, bottom = np.maximum(theta - high / 2, 0), np.minimum(theta + high / 2, np.pi)
-    return 2 * np.sin((top + bottom) / 2) * np.sin((bottom - top) / 2) * high
+    above, below = np.minimum(theta, high / 2), np.minimum(np.pi - theta, high / 2)
+    return 2 * np.sin(theta + (below - above) / 2) * np.sin((above + below) / 2) * high
 
 
 def grid_cell_differential(theta, rows):

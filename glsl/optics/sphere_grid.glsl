@@ -4,8 +4,8 @@
 float grid_cell(float theta, int rows) {
     // Basic Concepts: int sin dtheta dphi over the cell of height pi / rows around theta, cut off at the poles
     float high = PI / float(rows);
-    float top = max(theta - 0.5 * high, 0.0), bottom = min(theta + 0.5 * high, PI);
-    return 2.0 * sin(0.5 * (top + bottom)) * sin(0.5 * (bottom - top)) * high;
+    float above = min(theta, 0.5 * high), below = min(PI - theta, 0.5 * high);
+    return 2.0 * sin(theta + 0.5 * (below - above)) * sin(0.5 * (above + below)) * high;
 }
 
 float grid_cell_differential(float theta, int rows) {
