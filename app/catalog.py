@@ -81,6 +81,7 @@ class ValueSpec:
     default: Number
     low: float  # of each number of a vector
     high: float
+    scale: str = "linear"  # of its slider
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # the words of the numbers 0, 1, 2, ...
 
@@ -189,4 +190,5 @@ def spec_of(name: str, value: Value, meshes: tuple[str, ...]) -> ValueSpec:
 
     low, high = inside(value.low, table.low), inside(value.high, len(choices) - 1 if choices else table.high)
     assert not isinstance(low, tuple) and not isinstance(high, tuple)
-    return ValueSpec(name, table, inside(value.default, table.default), low, high, value.more, choices)
+    return ValueSpec(name, table, inside(value.default, table.default), low, high, value.scale or table.scale,
+                     value.more, choices)

@@ -1,0 +1,38 @@
+"""The first picture, turning slowly."""
+
+import importlib.util
+import time
+from dataclasses import replace
+
+from imgui_bundle import ImVec2, imgui
+
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
+from app.paths import LESSONS
+
+DEGREES_A_SECOND = 5.0
+ASIDE = 0.9  # metres: the picture stands right of the title
+
+
+class Cover:
+    def __init__(self, app) -> None:
+        self.app, self.stage, self.begun = app, None, 0.0
+
+    def draw(self, size: ImVec2) -> None:
+        if self.stage is None:
+            spec = importlib.util.spec_from_file_location("lessons.cover", LESSONS / "cover.py")
+            assert spec and spec.loader
+            module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+            self.stage, self.begun = Stage(self.app.ctx, Source(module.COVER, "lessons/cover.py")), time.monotonic()
+        camera = self.stage.scene.camera
+        turned = replace(camera, azimuth=camera.azimuth + DEGREES_A_SECOND * (time.monotonic() - self.begun))
+        scale = imgui.get_io().display_framebuffer_scale
+        pixels = int(size.x * scale.x), int(size.y * scale.y)
+        self.stage.draw({}, turned, pixels, self.app.theme, fine=True)
+        self.app.ctx.screen.use()
+        imgui.image(imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-0.14, 1), uv1=ImVec2(0.86, 0))
+
+    def release(self) -> None:
+        if self.stage:
+            self.stage.release()

@@ -1,0 +1,48 @@
+"""The live numbers beside the scene: value, unit, error against the exact one, and what an estimate costs."""
+
+from imgui_bundle import ImVec2, imgui
+
+from app.readouts import Number
+from app.theme import Theme, colour
+from app.viewer import style
+
+DOT = {"exact": "exact", "estimate": "estimate", "printed": "printed", "number": "quiet"}
+
+
+def draw(app, numbers: list[Number], theme: Theme) -> None:
+    flags = imgui.TableFlags_.sizing_stretch_prop | imgui.TableFlags_.pad_outer_x
+    if not imgui.begin_table("numbers", 3, flags):
+        return
+    imgui.table_setup_column("what", 0, 1.35)
+    imgui.table_setup_column("value", 0, 1.0)
+    imgui.table_setup_column("error", 0, 1.0)
+    for number in numbers:
+        line(number, theme, app.session.frozen)
+    imgui.end_table()
+
+
+def line(number: Number, theme: Theme, hidden: bool) -> None:
+    imgui.table_next_row()
+    imgui.table_next_column()
+    shade, size = colour(DOT[number.role], theme), imgui.get_font_size()
+    at = imgui.get_cursor_screen_pos()
+    imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, style.u32(shade))
+    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
+    imgui.text_wrapped(number.label)
+    imgui.table_next_column()
+    imgui.text("?" if hidden else number.text)
+    if imgui.is_item_hovered() and not hidden:
+        imgui.set_tooltip(number.full_text)
+    imgui.table_next_column()
+    if hidden:
+        return
+    imgui.push_style_color(imgui.Col_.text, style.vec(colour("printed" if bad(number) else "quiet", theme)))
+    imgui.text_wrapped(number.error_text + (f"\n{number.cost_text}" if number.cost_text else ""))
+    imgui.pop_style_color()
+    if imgui.is_item_hovered() and number.cost_text:
+        imgui.set_tooltip("the error against the exact number, and the time one evaluation took")
+
+
+def bad(number: Number) -> bool:
+    """An error a person would see."""
+    return number.error is not None and abs(number.error) > 0.01

@@ -1,0 +1,129 @@
+"""What lies over the lesson for a moment: the first picture, the outline with its search, the keys."""
+
+from imgui_bundle import ImVec2, imgui
+
+from app.search import search
+from app.theme import colour
+from app.viewer import style
+from app.viewer.text_panel import heading
+
+KEYS = (
+    ("Page Down, Page Up", "next and previous step"),
+    ("O", "outline and search"),
+    ("N", "the lecturer's notes"),
+    ("T", "theme: dark, light, projector"),
+    ("R", "this step as it was at first"),
+    ("Ctrl+Z, Ctrl+Y", "undo and redo"),
+    ("C", "copy the state of this step"),
+    ("F", "freeze the picture for a guess"),
+    ("Tab, arrows, Space", "from control to control, change, press"),
+    ("mouse in the picture", "drag a ring: the thing; elsewhere: turn; wheel: zoom; click: read the values"),
+    ("?", "these keys"),
+)
+FIXED = (imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings)
+
+
+def welcome(app, size: ImVec2) -> None:
+    """The first picture, turning slowly, with the title and where to begin."""
+    imgui.set_next_window_pos(ImVec2(0, 0))
+    imgui.set_next_window_size(size)
+    imgui.push_style_var(imgui.StyleVar_.window_padding, ImVec2(0, 0))
+    imgui.begin("Welcome", None, FIXED)
+    imgui.pop_style_var()
+    app.cover_picture(size)
+    unit = imgui.get_font_size()
+    imgui.set_cursor_pos(ImVec2(3 * unit, size.y * 0.16))
+    imgui.begin_group()
+    heading("Halfway", 4.0)
+    heading("A course in local shading that you can touch.", 1.4)
+    imgui.dummy(ImVec2(0, 1.2 * unit))
+    imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", app.theme)))
+    imgui.push_text_wrap_pos(24 * unit)
+    imgui.text_wrapped("Every number comes with its error and its cost. Every formula is taken to where it breaks.")
+    imgui.pop_text_wrap_pos()
+    imgui.pop_style_color()
+    imgui.dummy(ImVec2(0, 1.6 * unit))
+    wide = style.em(12, 2.2)
+    if imgui.button("Start", wide):
+        app.start(first=True)
+    imgui.set_item_default_focus()
+    if not app.progress.first_start:
+        imgui.same_line()
+        if imgui.button("Continue", wide):
+            app.start(first=False)
+        if imgui.is_item_hovered():
+            imgui.set_tooltip(f"{app.session.current.chapter.title}: {app.session.current.step.title}")
+    if imgui.button("Outline", wide):
+        app.start(first=False)
+        app.show_outline = True
+    imgui.end_group()
+    imgui.end()
+
+
+def outline(app, size: ImVec2) -> None:
+    """Every step, and a search over text, slide titles and terms."""
+    centred("Outline", size, 46, 34)
+    shown, app.show_outline = imgui.begin("Outline", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings)
+    if shown:
+        if imgui.is_window_appearing():
+            imgui.set_keyboard_focus_here()
+        imgui.set_next_item_width(-1)
+        _, app.query = imgui.input_text_with_hint("##search", "search text, slides, terms", app.query)
+        imgui.separator()
+        imgui.begin_child("found")
+        (hits if app.query.strip() else entries)(app)
+        imgui.end_child()
+    imgui.end()
+
+
+def entries(app) -> None:
+    chapter = ""
+    for entry in app.session.outline():
+        if entry.chapter != chapter:
+            chapter = entry.chapter
+            heading(f"{entry.number}  {chapter}", 1.15)
+        if entry.fault:
+            imgui.text_wrapped(entry.fault)
+            continue
+        mark = "answered" if entry.answered else "seen" if entry.visited else ""
+        if imgui.selectable(f"    {entry.title}##{entry.id}", entry.current)[0]:
+            app.go(entry.id)
+            app.show_outline = False
+        if mark or entry.beyond:
+            imgui.same_line(imgui.get_content_region_avail().x - 11 * imgui.get_font_size())
+            imgui.text_disabled(", ".join(filter(None, (mark, "beyond the deck" if entry.beyond else ""))))
+
+
+def hits(app) -> None:
+    found = search(app.query)
+    if not found:
+        imgui.text_wrapped(f"Nothing in the course says “{app.query.strip()}”.")
+    for i, hit in enumerate(found):
+        if imgui.selectable(f"{hit.title}##{i}", False)[0]:
+            app.go(hit.step)
+            app.show_outline = False
+        imgui.push_text_wrap_pos(0)
+        imgui.text_disabled(f"{hit.where}: {hit.snippet}")
+        imgui.pop_text_wrap_pos()
+
+
+def help_keys(app, size: ImVec2) -> None:
+    centred("Keys", size, 44, 22)
+    shown, app.show_help = imgui.begin("Keys", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings)
+    if shown and imgui.begin_table("keys", 2):
+        imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())
+        for key, meaning in KEYS:
+            imgui.table_next_row()
+            imgui.table_next_column()
+            imgui.text(key)
+            imgui.table_next_column()
+            imgui.text_wrapped(meaning)
+        imgui.end_table()
+    imgui.end()
+
+
+def centred(name: str, size: ImVec2, wide: float, high: float) -> None:
+    unit = imgui.get_font_size()
+    x, y = min(wide * unit, 0.94 * size.x), min(high * unit, 0.9 * size.y)
+    imgui.set_next_window_size(ImVec2(x, y), imgui.Cond_.appearing)
+    imgui.set_next_window_pos(ImVec2((size.x - x) / 2, (size.y - y) / 2), imgui.Cond_.appearing)

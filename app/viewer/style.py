@@ -1,0 +1,65 @@
+"""A theme as the look of the window; every length is in em, so that it grows with the text."""
+
+from imgui_bundle import ImVec2, ImVec4, hello_imgui, imgui
+
+from app.theme import Theme, colour, rgb
+
+Rgb = tuple[float, float, float]
+
+
+def vec(c: Rgb, alpha: float = 1.0) -> ImVec4:
+    return ImVec4(*c, alpha)
+
+
+def u32(c: Rgb, alpha: float = 1.0) -> int:
+    return imgui.get_color_u32(vec(c, alpha))
+
+
+def mix(a: Rgb, b: Rgb, share: float) -> Rgb:
+    return tuple(x + (y - x) * share for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
+
+
+def em(x: float, y: float | None = None) -> ImVec2:
+    size = imgui.get_font_size()
+    return ImVec2(x * size, (x if y is None else y) * size)
+
+
+def load_font() -> None:
+    """One font for everything; its glyphs are made when they are first drawn."""
+    hello_imgui.get_runner_params().callbacks.default_icon_font = hello_imgui.DefaultIconFont.no_icons
+    hello_imgui.load_font_ttf("fonts/Roboto/Roboto-Regular.ttf", 16.0)
+
+
+def apply(theme: Theme, height: float) -> None:
+    """Colours, roundings and the text size for a window `height` pixels high."""
+    style = imgui.get_style()
+    (imgui.style_colors_dark if theme.name == "dark" else imgui.style_colors_light)()
+    style.font_size_base = text_size(theme, height)
+    style.frame_rounding = style.grab_rounding = style.popup_rounding = style.child_rounding = 5.0
+    style.window_rounding = 0.0
+    style.window_border_size = 0.0
+    style.frame_border_size = 1.0 if theme.name == "projector" else 0.0
+    style.window_padding, style.item_spacing = ImVec2(14, 10), ImVec2(9, 7)
+    style.frame_padding = ImVec2(8, 4)
+    front, panel, quiet = rgb(theme.foreground), rgb(theme.panel), rgb(theme.quiet)
+    accent = colour("l", theme)
+    shades = {
+        "text": (front, 1.0), "text_disabled": (quiet, 1.0), "window_bg": (panel, 1.0), "child_bg": (panel, 0.0),
+        "popup_bg": (mix(panel, front, 0.04), 1.0), "border": (quiet, 0.45), "frame_bg": (mix(panel, front, 0.09), 1.0),
+        "frame_bg_hovered": (mix(panel, front, 0.15), 1.0), "frame_bg_active": (mix(panel, front, 0.2), 1.0),
+        "slider_grab": (accent, 1.0), "slider_grab_active": (accent, 1.0), "check_mark": (accent, 1.0),
+        "button": (mix(panel, front, 0.11), 1.0), "button_hovered": (mix(panel, front, 0.19), 1.0),
+        "button_active": (mix(panel, front, 0.27), 1.0), "header": (mix(panel, front, 0.1), 1.0),
+        "header_hovered": (mix(panel, front, 0.16), 1.0), "header_active": (mix(panel, front, 0.22), 1.0),
+        "separator": (quiet, 0.35), "scrollbar_bg": (panel, 0.0), "scrollbar_grab": (quiet, 0.5),
+        "nav_cursor": (accent, 1.0), "text_link": (colour("estimate" if theme.name == "dark" else "n", theme), 1.0),
+        "title_bg": (panel, 1.0), "title_bg_active": (mix(panel, front, 0.08), 1.0), "plot_histogram": (accent, 1.0),
+        "modal_window_dim_bg": (rgb(theme.background), 0.6),
+    }
+    for name, (shade, alpha) in shades.items():
+        style.set_color_(getattr(imgui.Col_, name), vec(shade, alpha))
+
+
+def text_size(theme: Theme, height: float) -> float:
+    """The theme's size at 720 pixels, growing with the window, slower than it."""
+    return round(theme.text * min(max((height / 720) ** 0.6, 0.85), 2.0), 1)

@@ -1,0 +1,95 @@
+"""The left column: what the step says, the question it asks first, where it comes from, and the lecturer's notes."""
+
+from functools import lru_cache
+
+from imgui_bundle import imgui, rich_md
+
+from app.lesson import Step
+from app.prose import for_screen
+from app.theme import THEMES, Theme, colour
+from app.viewer import style
+
+
+@lru_cache(maxsize=64)
+def prose(text: str, theme: str) -> str:
+    return for_screen(text, THEMES[theme])
+
+
+def draw(app) -> None:
+    found, theme = app.session.current, app.theme
+    step = found.step
+    heading(f"{found.loaded.number}.{found.index + 1}  {step.title}", 1.35)
+    imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
+    imgui.text_wrapped(step.idea)
+    imgui.pop_style_color()
+    imgui.spacing()
+    rich_md.render_raw(prose(step.prose, theme.name))
+    imgui.spacing()
+    question(app, step, theme)
+    imgui.spacing()
+    if app.show_notes:
+        section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
+    elif imgui.tree_node("Where this comes from"):
+        imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
+        imgui.text_wrapped("Slides: " + "; ".join(step.slides) + (" (this step goes beyond them)" if step.beyond else "") + ".")
+        imgui.text_wrapped("Sources: " + "; ".join(step.sources) + ".")
+        imgui.text_wrapped(step.honesty)
+        imgui.pop_style_color()
+        imgui.tree_pop()
+
+
+def heading(text: str, size: float) -> None:
+    imgui.push_font(None, imgui.get_style().font_size_base * size)
+    imgui.text_wrapped(text)
+    imgui.pop_font()
+
+
+def section(title: str, text: str) -> None:
+    imgui.separator()
+    heading(title, 1.1)
+    imgui.text_wrapped(" ".join(text.split()))
+
+
+def question(app, step: Step, theme: Theme) -> None:
+    """Ask before you tell: the question, the guess, then the truth and how far the guess was off."""
+    session, ask = app.session, step.ask
+    imgui.push_style_color(imgui.Col_.child_bg, style.vec(style.mix(style.rgb(theme.panel), colour("l", theme), 0.09)))
+    imgui.begin_child("question", imgui.ImVec2(0, 0), imgui.ChildFlags_.auto_resize_y | imgui.ChildFlags_.always_use_window_padding)
+    imgui.text_wrapped(ask.question)
+    answer = session.answer
+    if answer.stage != "revealed":
+        guess(app, step)
+        imgui.begin_disabled(answer.stage == "asked")
+        if imgui.button("Show the truth"):
+            app.reveal()
+        imgui.end_disabled()
+        if answer.stage == "asked":
+            imgui.same_line()
+            if imgui.button("Let me think" if not session.frozen else "Go on"):
+                session.freeze(not session.frozen)
+            if imgui.is_item_hovered():
+                imgui.set_tooltip("Freeze the picture and hide the numbers until the guess is made.")
+    else:
+        imgui.push_style_color(imgui.Col_.text, style.vec(colour("l", theme)))
+        imgui.text_wrapped(session.verdict or "The truth:")
+        imgui.pop_style_color()
+        imgui.text_wrapped(ask.told)
+        if imgui.button("Ask me again"):
+            session.ask_again()
+    imgui.end_child()
+    imgui.pop_style_color()
+
+
+def guess(app, step: Step) -> None:
+    ask, answer = step.ask, app.session.answer
+    if ask.choices:
+        for i, choice in enumerate(ask.choices):
+            if imgui.radio_button(choice.text, answer.choice == i):
+                app.session.guess(i)
+        return
+    now = answer.guess if answer.guess is not None else app.first_guess(ask)
+    flags = imgui.SliderFlags_.always_clamp | (imgui.SliderFlags_.logarithmic if ask.scale == "log" else 0)
+    imgui.set_next_item_width(-1)
+    changed, new = imgui.slider_float("##guess", now, ask.low, ask.high, f"%.3g {ask.unit}", flags)
+    if changed:
+        app.session.guess(min(max(new, ask.low), ask.high))

@@ -1,0 +1,320 @@
+"""The window: three columns that breathe, a quiet line below, and what lies over them for a moment.
+
+It draws a `Session` and calls it; what can be computed without a window is computed elsewhere.
+"""
+
+import os
+import webbrowser
+from pathlib import Path
+
+import numpy as np
+from imgui_bundle import ImVec2, hello_imgui, imgui, immapp, rich_md
+
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
+from app.lesson import Number, Prediction
+from app.problem import Problem, Usage
+from app.progress import Progress
+from app.readouts import numbers
+from app.session import Session
+from app.theme import THEMES, Theme, colour
+from app.viewer import controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer.cover import Cover
+from app.viewer.keys import press
+from app.viewer.plot_panel import PlotPanel
+from app.viewer.scene_panel import ScenePanel
+
+FIXED = (imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings
+         | imgui.WindowFlags_.no_bring_to_front_on_focus)
+THEME_ORDER = tuple(THEMES)
+
+
+class Window:
+    def __init__(self, start: str = "", mesh: str | None = None, theme: str = "", size: tuple[int, int] = (1280, 720)):
+        self.progress = Progress()
+        self.session = Session(start, self.progress)
+        self.size = size
+        kept = self.progress.setting("theme", "dark")
+        self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
+        self.styled: tuple | None = None
+        self.show_welcome = not start and mesh is None
+        self.show_outline = self.show_help = self.show_notes = False
+        self.query = ""
+        self.message = self.progress.message or self.session.message
+        self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
+        self.mesh = None  # the user's own, in place of the scene's
+        self.triangles: np.ndarray | None = None
+        self.placed: tuple = ()  # the step and the mesh on the stage
+        self.fault = ""  # why this step has no picture
+        self.figures: tuple = (None, [])  # (revision, numbers)
+        self.dropped: list[str] = []
+        self.frame = 0
+        if mesh:
+            self.take_mesh(mesh)
+
+    # --- the life of the window --------------------------------------------------------------------------------------
+    def post_init(self) -> None:
+        self.ctx = glfw.create_context()
+        self.drop_callback = glfw.on_drop(self.dropped.extend)
+        imgui.get_io().config_flags |= imgui.ConfigFlags_.nav_enable_keyboard
+
+    def before_exit(self) -> None:
+        self.session.end_change()
+        self.session.save()
+        self.plot.close()
+        if self.scene.stage:
+            self.scene.stage.release()
+        self.cover.release()
+
+    def gui(self) -> None:
+        size = imgui.get_main_viewport().size
+        if self.styled != (self.theme.name, size.y):
+            style.apply(self.theme, size.y)
+            self.styled = self.theme.name, size.y
+        self.frame += 1
+        for path in self.dropped[:1]:
+            self.take_mesh(path)
+        self.dropped.clear()
+        press(self)
+        if self.show_welcome:
+            overlays.welcome(self, size)
+        else:
+            self.lesson(size)
+        if self.show_outline:
+            overlays.outline(self, size)
+        if self.show_help:
+            overlays.help_keys(self, size)
+        self.pace()
+
+    def pace(self) -> None:
+        """Full speed while something moves, else one look a second, so that an idle window costs next to nothing."""
+        idling = hello_imgui.get_runner_params().fps_idling
+        idling.enable_idling = not (self.show_welcome or self.plot.waiting or (self.scene.stage and not self.scene.is_fine))
+        last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", 0))
+        if last and self.frame >= last:
+            hello_imgui.get_runner_params().app_shall_exit = True
+
+    # --- the lesson --------------------------------------------------------------------------------------------------
+    def lesson(self, size: ImVec2) -> None:
+        self.set_stage()
+        unit = imgui.get_font_size()
+        bar, wide = 2.6 * unit, self.theme.name == "projector"
+        left = min(max(0.29 * size.x, 22 * unit), 32 * unit) * (0.92 if wide else 1.0)
+        right = min(max(0.27 * size.x, 19 * unit), 40 * unit)
+        middle, height = size.x - left - right, size.y - bar
+        self.column("Text", 0, left, height, lambda: text_panel.draw(self))
+        self.column("Scene", left, middle, height, self.scene_column)
+        self.column("Plot", left + middle, right, height, self.plot_column)
+        imgui.set_next_window_pos(ImVec2(0, height))
+        imgui.set_next_window_size(ImVec2(size.x, bar))
+        imgui.push_style_var(imgui.StyleVar_.window_padding, ImVec2(0.9 * unit, 0.35 * unit))
+        imgui.begin("Bar", None, FIXED | imgui.WindowFlags_.no_scrollbar)
+        imgui.pop_style_var()
+        self.bar()
+        imgui.end()
+
+    def column(self, name: str, x: float, width: float, height: float, draw) -> None:
+        imgui.set_next_window_pos(ImVec2(x, 0))
+        imgui.set_next_window_size(ImVec2(width, height))
+        imgui.begin(name, None, FIXED & ~imgui.WindowFlags_.no_scrollbar)
+        draw()
+        imgui.end()
+
+    def scene_column(self) -> None:
+        room = imgui.get_content_region_avail()
+        below = self.controls_height()
+        picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
+        if self.fault:
+            imgui.dummy(ImVec2(0, 0.3 * picture.y))
+            imgui.text_wrapped("This picture cannot be drawn.\n" + self.fault)
+        else:
+            self.scene.draw(self.values, self.session.view, self.theme, picture)
+        controls.draw(self)
+
+    def controls_height(self) -> float:
+        """What the few controls take; the rest behind "more" may scroll."""
+        specs = self.session.current.values.values()
+        rows = sum(not s.more for s in specs) + any(s.more for s in specs)
+        return rows * imgui.get_frame_height_with_spacing() + imgui.get_style().item_spacing.y
+
+    def plot_column(self) -> None:
+        room = imgui.get_content_region_avail()
+        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, 1.05 * room.x)))
+        imgui.spacing()
+        try:
+            numbers_panel.draw(self, self.numbers(), self.theme)
+        except Problem as problem:
+            imgui.text_wrapped(str(problem))
+
+    def bar(self) -> None:
+        session, step = self.session, self.session.current
+        imgui.begin_disabled(session.place == 0)
+        if imgui.button("Previous"):
+            self.move(-1)
+        imgui.end_disabled()
+        imgui.same_line()
+        imgui.begin_disabled(session.place == len(session.steps) - 1)
+        if imgui.button("Next"):
+            self.move(1)
+        imgui.end_disabled()
+        imgui.same_line()
+        imgui.align_text_to_frame_padding()
+        imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min")
+        if self.message:
+            imgui.same_line()
+            controls.badge(self.message, colour("printed", self.theme))
+            if imgui.is_item_clicked():
+                self.message = ""
+        buttons = (("Outline", "o"), ("Notes", "n"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
+        padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
+        imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8)
+        for label, key in buttons:
+            if imgui.button(label):
+                self.do(key)
+            imgui.same_line()
+
+    # --- what is asked of it -----------------------------------------------------------------------------------------
+    def do(self, key: str) -> None:
+        if key == "o":
+            self.show_outline, self.query = not self.show_outline, ""
+        elif key == "n":
+            self.show_notes = not self.show_notes
+        elif key == "r":
+            self.session.reset()
+        elif key == "c":
+            imgui.set_clipboard_text(self.session.state)
+            self.message = f"copied: {self.session.state}"
+        elif key == "t":
+            self.set_theme(THEME_ORDER[(THEME_ORDER.index(self.theme.name) + 1) % len(THEME_ORDER)])
+        elif key == "f":
+            self.session.freeze(not self.session.frozen)
+        elif key == "?":
+            self.show_help = not self.show_help
+
+    def set_theme(self, name: str) -> None:
+        self.theme = THEMES[name]
+        self.progress.put_setting("theme", name)
+
+    def go(self, state: str) -> None:
+        self.message = ""
+        try:
+            self.session.go(state)
+        except Problem as problem:
+            self.message = str(problem)
+
+    def move(self, by: int) -> None:
+        self.message = ""
+        self.session.move(by)
+        self.message = self.session.message
+
+    def start(self, first: bool) -> None:
+        self.show_welcome = False
+        if first:
+            self.go(self.session.steps[0].id)
+
+    def reveal(self) -> None:
+        self.session.freeze(False)
+        truth = self.session.current.step.ask.sets.get("shape")
+        mesh = self.mesh_named(int(truth)) if isinstance(truth, int | float) else self.triangles
+        self.session.reveal(**({} if mesh is None else {"triangles": mesh}))
+
+    def set_value(self, name: str, value: Number) -> None:
+        try:
+            self.session.set(name, value)
+        except Usage as problem:
+            self.message = str(problem)
+
+    def open_link(self, target: str) -> None:
+        """A link of the prose: it sets values, leads to a step, or opens in the browser."""
+        try:
+            if target.startswith("?"):
+                self.session.apply(target)
+            elif target.startswith(("http://", "https://")):
+                webbrowser.open(target)
+            else:
+                self.session.go(target)
+        except Problem as problem:
+            self.message = str(problem)
+
+    def first_guess(self, ask: Prediction) -> float:
+        return (ask.low * ask.high) ** 0.5 if ask.scale == "log" else 0.5 * (ask.low + ask.high)
+
+    # --- what is shown -----------------------------------------------------------------------------------------------
+    @property
+    def values(self) -> dict:
+        """The step's values; a mesh step's also carry its triangles."""
+        return self.session.values if self.triangles is None else {**self.session.values, "triangles": self.triangles}
+
+    def numbers(self) -> list:
+        key = self.session.current.id, self.session.revision, id(self.triangles)
+        if self.figures[0] != key:
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            self.ctx.screen.use()
+        return self.figures[1]
+
+    def take_mesh(self, path: str) -> None:
+        """The user's own mesh, in the step about meshes."""
+        from app.meshes import load
+
+        try:
+            self.mesh = load(Path(path))
+            if not any(s.mesh for s in self.session.current.step.scene.surfaces):
+                self.session.go(next(s.id for s in self.session.steps if any(x.mesh for x in s.step.scene.surfaces)))
+            self.message = f"{self.mesh.name}: {self.mesh.note}"
+            self.show_welcome = False
+        except Problem as problem:
+            self.message = str(problem)
+
+    def mesh_named(self, shape: int) -> np.ndarray:
+        from app.meshes import built_in
+
+        return built_in(self.session.current.step.scene.meshes[shape]).triangles
+
+    def set_stage(self) -> None:
+        """A stage for the step that is shown, with its mesh; made again when either changes."""
+        found = self.session.current
+        is_mesh = any(s.mesh for s in found.step.scene.surfaces)
+        shape = int(self.session.values.get("shape", 0)) if is_mesh else -1  # type: ignore[arg-type]
+        wanted = found.id, shape, id(self.mesh) if is_mesh else 0
+        if wanted == self.placed:
+            return
+        was, self.placed, self.fault = self.placed, wanted, ""
+        if self.mesh is not None and was[:1] == (found.id,) and was[1] not in (-1, shape):
+            self.mesh, self.placed = None, (found.id, shape, id(None))  # a shape was chosen: back to the scene's own
+        self.triangles = None if not is_mesh else self.mesh.triangles if self.mesh else self.mesh_named(shape)
+        try:
+            if was[:1] == (found.id,) and self.scene.stage:
+                self.scene.stage.place(self.triangles)
+                self.scene.drawn = None
+            else:
+                self.scene.show(Stage(self.ctx, Source(found.step.scene, found.file_name, found.glsl_line), self.triangles))
+        except Problem as problem:
+            self.fault = str(problem)
+        self.ctx.screen.use()
+
+    def cover_picture(self, size: ImVec2) -> None:
+        self.cover.draw(size)
+
+
+def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsParams]:
+    params = hello_imgui.RunnerParams()
+    params.ini_disable = True
+    params.app_window_params.window_title = "Halfway"
+    params.app_window_params.window_geometry.size = window.size
+    params.app_window_params.restore_previous_geometry = False
+    params.renderer_backend_options.open_gl_options = hello_imgui.OpenGlOptions(
+        major_version=3, minor_version=3, use_core_profile=True, use_forward_compat=True, glsl_version="330",
+        anti_aliasing_samples=0)  # eight samples, the default, cost 40 % of the frame rate
+    params.imgui_window_params.default_imgui_window_type = hello_imgui.DefaultImGuiWindowType.no_default_window
+    params.imgui_window_params.show_menu_bar = params.imgui_window_params.show_status_bar = False
+    params.fps_idling.fps_idle = 1.0
+    params.fps_idling.time_active_after_last_event = 0.7
+    params.callbacks.load_additional_fonts = style.load_font
+    params.callbacks.post_init, params.callbacks.before_exit = window.post_init, window.before_exit
+    params.callbacks.show_gui = window.gui
+    markdown = rich_md.MarkdownOptions()
+    markdown.with_latex, markdown.autolinks = True, False
+    markdown.callbacks.on_open_link = window.open_link
+    add_ons = immapp.AddOnsParams()
+    add_ons.with_markdown_options = markdown
+    return params, add_ons
