@@ -148,10 +148,12 @@ class Session:
         spec = self.current.values[name]
         self.change({**self.values, name: checked(value, spec, f"{self.current.id}: {name}")}, self.view)
 
-    def apply(self, query: str) -> None:
-        """What a link of the prose sets: `tilt=80&distance=1`, with or without its '?'."""
-        values, view = parse_query(query.removeprefix("?"), self.current)
-        self.change({**self.values, **values}, view or self.view)
+    def follow(self, target: str) -> None:
+        """A link of the prose: `?tilt=80&distance=1` sets values here, `solid_angle/cone?half_angle=1` goes there."""
+        if not target.startswith("?"):
+            return self.go(target)
+        values, view = parse_query(target[1:], self.current)
+        return self.change({**self.values, **values}, view or self.view)
 
     def look(self, view: View) -> None:
         self.change(self.values, view)
