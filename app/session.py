@@ -148,7 +148,7 @@ class Session:
         spec = self.current.values[name]
         self.change({**self.values, name: checked(value, spec, f"{self.current.id}: {name}")}, self.view)
 
-    def follow(self, target: str) -> None:
+    def apply(self, target: str) -> None:
         """A link of the prose: `?tilt=80&distance=1` sets values here, `solid_angle/cone?half_angle=1` goes there."""
         if not target.startswith("?"):
             return self.go(target)
