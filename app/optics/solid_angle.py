@@ -210,7 +210,8 @@ def solid_angle_triangle_edges(a, ab, ac):
 
     a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of
     its two sides. Errors: none if a is the nearest corner.
-    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with the edges, which do not cancel for a small triangle.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with the edges, which do not cancel for
+    a small triangle.
     """
     a, ab, ac = (np.asarray(v, float) for v in (a, ab, ac))
     b, c = a + ab, a + ac

@@ -1,0 +1,37 @@
+"""Which twin computes a stored value, and which of its arguments each input is."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Twin:
+    function: str
+    inputs: dict[str, str] = field(default_factory=dict)  # name of an input -> argument; itself where it is not named
+    fixed: dict[str, float] = field(default_factory=dict)  # arguments the record does not carry
+
+
+MAPPING = {  # a name, or the beginning of names up to a dot
+    "solid_angle.cone": Twin("solid_angle_cone", {"theta": "half_angle"}),
+    "solid_angle.sphere_total": Twin("solid_angle_cone", fixed={"half_angle": 3.141592653589793}),
+    "solid_angle.sphere": Twin("solid_angle_sphere", {"r": "radius", "d": "distance"}),
+    "solid_angle.disk_onaxis": Twin("solid_angle_disk_on_axis", {"r": "radius", "h": "height"}),
+    "solid_angle.disk_offaxis": Twin("solid_angle_disk", {"r": "radius", "h": "height", "rho": "offset"}),
+    "solid_angle.triangle": Twin("solid_angle_triangle"),
+    "solid_angle.rect_centered": Twin("solid_angle_rectangle", {"a": "width", "b": "depth", "d": "distance"}),
+    "solid_angle.rect_offaxis": Twin("solid_angle_rectangle_off_axis", {"d": "distance"}),
+    "projected_solid_angle.hemisphere": Twin("projected_solid_angle_cone", fixed={"half_angle": 1.5707963267948966}),
+    "projected_solid_angle.sphere": Twin("projected_solid_angle_sphere", {"H": "distance"}, {"radius": 1.0}),
+    "projected_solid_angle.disk_parallel": Twin(
+        "projected_solid_angle_disk", {"r": "radius", "h": "height", "rho": "offset"}),
+    "projected_solid_angle.rect_parallel": Twin("projected_solid_angle_rectangle", {"d": "distance"}),
+    "projected_solid_angle.rect_perpendicular": Twin(
+        "projected_solid_angle_wall", {"d": "distance", "b": "width", "h": "height"}),
+    "projected_solid_angle.rect_clipped_by_horizon": Twin("projected_solid_angle_polygon", {"P": "corners"}),
+    "projected_solid_angle.triangle": Twin("projected_solid_angle_polygon", {"P": "corners"}),
+}
+
+
+def mapped(name: str) -> Twin | None:
+    """The twin of a record's name: the longest entry that is the name or its beginning."""
+    fits = [key for key in MAPPING if name == key or name.startswith(key + ".")]
+    return MAPPING[max(fits, key=len)] if fits else None
