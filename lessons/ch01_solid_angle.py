@@ -77,7 +77,7 @@ vec3 shade(Surface s) {
     vec3 n = s.id == 2 ? s.normal : normalize(s.position - SPHERE);
     if (s.id == 1) return soft_light(mix(light, light * 0.45, grid_lines(s.st, vec2(24.0, 8.0))), n, s.v);
     if (s.id == 2) return soft_light(light, n, s.v);
-    return mix(palette[COLOUR_QUIET] * 0.6, palette[COLOUR_EXACT], grid_lines(s.st, vec2(24.0, 12.0)) * 0.7);
+    return glass(s.st, vec2(24.0, 12.0));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -178,7 +178,7 @@ vec3 shade(Surface s) {
     float line = grid_lines(s.st, vec2(8.0));
     if (s.id == 0) return soft_light(mix(palette[COLOUR_L], palette[COLOUR_L] * 0.4, line), s.normal, s.v);
     if (s.id == 1) return mix(palette[COLOUR_ESTIMATE], palette[COLOUR_ESTIMATE] * 0.4, line);
-    return mix(palette[COLOUR_QUIET] * 0.5, palette[COLOUR_EXACT], grid_lines(s.st, vec2(24.0, 12.0)) * 0.6);
+    return glass(s.st, vec2(24.0, 12.0));
 }
 
 vec3 dot_point(int i) {
@@ -339,7 +339,7 @@ vec3 shade(Surface s) {
     if (s.id == 3) return palette[COLOUR_PRINTED];
     if (s.id == 0) return soft_light(light, normalize(s.position), s.v);
     if (s.id == 1) return soft_light(light, s.normal, s.v);
-    return mix(palette[COLOUR_QUIET] * 0.5, palette[COLOUR_EXACT], grid_lines(s.st, vec2(24.0, 12.0)) * 0.6);
+    return glass(s.st, vec2(24.0, 12.0));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -561,7 +561,7 @@ vec3 shade(Surface s) {
     if (s.id == 1) return mix(palette[COLOUR_ESTIMATE], palette[COLOUR_ESTIMATE] * 0.4, line);
     if (s.id == 2) return mix(palette[COLOUR_V], palette[COLOUR_V] * 0.4, line);
     if (s.id == 3) return mix(mix(background, palette[COLOUR_QUIET], 0.25), palette[COLOUR_QUIET], grid_lines(s.st, vec2(24.0, 6.0)) * 0.5);
-    return mix(palette[COLOUR_QUIET] * 0.5, palette[COLOUR_EXACT], grid_lines(s.st, vec2(24.0, 6.0)) * 0.6);
+    return glass(s.st, vec2(24.0, 6.0));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -684,6 +684,8 @@ uniform vec2 corner_e;
 uniform int corner_count;
 uniform float size;
 uniform float distance;
+uniform float x;
+uniform float y;
 
 const float HEIGHT = 1.5; // at which the outline is shown, enlarged to this many metres across:
 const float ENLARGED = 0.9;
@@ -708,11 +710,11 @@ vec3 surface_point(int surface, vec2 s) {
 
 vec3 shade(Surface s) {
     if (s.id == 1) return soft_light(palette[COLOUR_L], s.normal, s.v);
-    float x = -abs(s.position.x);
+    float left = -abs(s.position.x);
     float most = solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, 0.0, 0.0);
     float seen = s.position.x < 0.0
-        ? solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, s.position.y)
-        : solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, s.position.y);
+        ? solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y)
+        : solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y);
     return colormap(seen / max(most, 1e-30));
 }
 
@@ -721,11 +723,13 @@ vec3 mark_point(int mark, float t) {
     int i = min(mark - 1, corner_count - 1);
     if (mark < 6) return mix(shown(i), shown(i + 1), t);
     i = min(mark - 6, corner_count - 1);
-    return mix(vec3(0.0), shown(i), t);
+    if (mark < 11) return mix(vec3(x, y, 0.0), shown(i), t);
+    return vec3(x, y, 0.01);
 }
 
 vec4 probe(int i) {
     if (i < 5) return vec4(shown(min(i, corner_count - 1)), 1.0);
+    if (i == 7) return vec4(x, y, 0.0, 1.0);
     return vec4(i == 5 ? -0.95 : 0.95, -1.45, 0.0, 1.0);
 }
 """,
@@ -734,18 +738,20 @@ vec4 probe(int i) {
             Mark("divide", colour="exact", width=0.8),
             *(Mark(f"edge {i}", colour="l", width=1.2) for i in "abcde"),
             *(Mark(f"ray {i}", colour="quiet", line="dashed", width=0.7) for i in "abcde"),
+            Mark("eye", colour="v", tip="eye", width=1.3, label="eye"),
         ),
         labels=(Label("with edges", 5, "estimate"), Label("as printed", 6, "printed")),
-        handles=tuple(Handle(f"corner {letter}", i, (f"corner_{letter}",)) for i, letter in enumerate("abcde")),
+        handles=(*(Handle(f"corner {letter}", i, (f"corner_{letter}",)) for i, letter in enumerate("abcde")),
+                 Handle("the eye", 7, ("x", "y"))),
         camera=Camera(azimuth=-90, elevation=34, distance=7.6, target=(0.0, 0.0, 0.42)),
     ),
     plot=Curves(
         title="Relative error in float32",
         sweep="size",
         curves=(
-            Curve("exact (float64)", Term("solid_angle_outline", {"x": 0.0, "y": 0.0})),
-            Curve("with edges", Term("solid_angle_outline", {"x": 0.0, "y": 0.0}), role="estimate", precision="float32"),
-            Curve("as printed", Term("solid_angle_outline_naive", {"x": 0.0, "y": 0.0}), role="printed",
+            Curve("exact (float64)", Term("solid_angle_outline")),
+            Curve("with edges", Term("solid_angle_outline"), role="estimate", precision="float32"),
+            Curve("as printed", Term("solid_angle_outline_naive"), role="printed",
                   precision="float32"),
         ),
         y_label="relative error",
@@ -753,10 +759,10 @@ vec4 probe(int i) {
         error=True,
     ),
     readouts=(
-        Readout("exact", Term("solid_angle_outline", {"x": 0.0, "y": 0.0}), role="exact"),
-        Readout("with edges, float32", Term("solid_angle_outline", {"x": 0.0, "y": 0.0}), role="estimate",
+        Readout("exact", Term("solid_angle_outline"), role="exact"),
+        Readout("with edges, float32", Term("solid_angle_outline"), role="estimate",
                 precision="float32", against="exact"),
-        Readout("as printed, float32", Term("solid_angle_outline_naive", {"x": 0.0, "y": 0.0}), role="printed",
+        Readout("as printed, float32", Term("solid_angle_outline_naive"), role="printed",
                 precision="float32", against="exact"),
     ),
     ask=Prediction(
@@ -779,7 +785,10 @@ finely, is a thousand such triangles. 7 minutes.
     values=(
         Value("size", 0.6, low=1e-5, high=1.0), Value("distance", 1.0, low=0.5, high=4.0),
         Value("corner_count", 3, low=3, high=5),
-        *(Value(f"corner_{letter}", more=True) for letter in "abcde"),
+        Value("x", -0.9, low=-1.7, high=1.7, more=True), Value("y", -0.5, low=-1.2, high=1.2, more=True),
+        Value("corner_a", (-0.55, -0.45), more=True), Value("corner_b", (0.65, -0.3), more=True),
+        Value("corner_c", (0.1, 0.65), more=True), Value("corner_d", (-0.4, 0.6), more=True),
+        Value("corner_e", (-0.7, 0.2), more=True),
     ),
     minutes=7,
     beyond=True,

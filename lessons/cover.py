@@ -41,7 +41,7 @@ vec3 shade(Surface s) {
     if (s.id < 10) return soft_light(mix(tint(s.id - 5), tint(s.id - 5) * 0.45, line), normalize(s.position), s.v);
     if (s.id < 15) return tint(s.id - 10) * 0.6;
     if (s.id == 15) return mix(mix(background, palette[COLOUR_QUIET], 0.15), palette[COLOUR_QUIET], grid_lines(s.st, vec2(24.0, 6.0)) * 0.4);
-    return mix(palette[COLOUR_QUIET] * 0.5, palette[COLOUR_EXACT], grid_lines(s.st, vec2(24.0, 6.0)) * 0.6);
+    return glass(s.st, vec2(24.0, 6.0));
 }
 """,
     surfaces=(

@@ -11,7 +11,7 @@ from app.gpu.stage_text import Source
 from app.paths import LESSONS
 
 DEGREES_A_SECOND = 5.0
-ASIDE = 0.9  # metres: the picture stands right of the title
+ASIDE = 0.16  # of the width: the picture stands right of the title
 
 
 class Cover:
@@ -31,7 +31,7 @@ class Cover:
         pixels = int(size.x * scale.x), int(size.y * scale.y)
         self.stage.draw({}, turned, pixels, self.app.theme, fine=True)
         self.app.ctx.screen.use()
-        imgui.image(imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-0.14, 1), uv1=ImVec2(0.86, 0))
+        imgui.image(imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0))
 
     def release(self) -> None:
         if self.stage:

@@ -3,7 +3,7 @@
 from imgui_bundle import ImVec2, imgui
 
 from app.search import search
-from app.theme import colour
+from app.theme import colour, rgb
 from app.viewer import style
 from app.viewer.text_panel import heading
 
@@ -32,6 +32,9 @@ def welcome(app, size: ImVec2) -> None:
     imgui.pop_style_var()
     app.cover_picture(size)
     unit = imgui.get_font_size()
+    back = rgb(app.theme.background)
+    dark, clear = style.u32(back, 0.92), style.u32(back, 0.0)
+    imgui.get_window_draw_list().add_rect_filled_multi_color(ImVec2(0, 0), ImVec2(0.5 * size.x, size.y), dark, clear, clear, dark)
     imgui.set_cursor_pos(ImVec2(3 * unit, size.y * 0.16))
     imgui.begin_group()
     heading("Halfway", 4.0)
@@ -44,8 +47,11 @@ def welcome(app, size: ImVec2) -> None:
     imgui.pop_style_color()
     imgui.dummy(ImVec2(0, 1.6 * unit))
     wide = style.em(12, 2.2)
+    imgui.push_style_color(imgui.Col_.button, style.vec(colour("l", app.theme)))
+    imgui.push_style_color(imgui.Col_.text, style.vec((0.08, 0.08, 0.08)))
     if imgui.button("Start", wide):
         app.start(first=True)
+    imgui.pop_style_color(2)
     imgui.set_item_default_focus()
     if not app.progress.first_start:
         imgui.same_line()

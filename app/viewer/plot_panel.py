@@ -1,15 +1,124 @@
-"""The plot beside the scene: wished for when something changed, drawn elsewhere, shown when it comes."""
+"""The plot beside the scene: wished for when something changed, drawn by a process of its own, shown when it comes."""
 
+import moderngl
 from imgui_bundle import ImVec2, imgui
+
+from app.lesson import Camera, Curves
+from app.plots import PlotDied, PlotProcess
+from app.problem import Problem
+from app.theme import rgb
+from app.viewer import glfw, style
+
+TURN = 0.5  # degrees a pixel
 
 
 class PlotPanel:
     def __init__(self, app) -> None:
         self.app = app
-        self.waiting = False
+        self.process: PlotProcess | None = None
+        self.texture: moderngl.Texture | None = None
+        self.of = ""  # the step the picture is of
+        self.asked: tuple = ()
+        self.fine = False
+        self.cameras: dict[str, Camera] = {}  # how the plot of a step was turned
+        self.fault = ""
 
-    def draw(self, values, room: ImVec2) -> None:
-        imgui.dummy(room)
+    @property
+    def waiting(self) -> bool:
+        return self.process is not None and not self.process.idle
+
+    def draw(self, values: dict, room: ImVec2) -> None:
+        scale = imgui.get_io().display_framebuffer_scale
+        size = max(64, int(room.x * scale.x)), max(64, int(room.y * scale.y))
+        self.ask(values, size)
+        self.take()
+        at = imgui.get_cursor_screen_pos()
+        hidden = self.app.session.frozen
+        if self.texture is not None and self.of == self.app.session.current.id and not self.fault and not hidden:
+            imgui.image(imgui.ImTextureRef(self.texture.glo), room)
+        else:
+            self.empty(at, room, hidden)
+        imgui.set_cursor_screen_pos(at)
+        imgui.invisible_button("plot", room)
+        self.turn()
+        if self.fault and not hidden:
+            imgui.set_cursor_screen_pos(ImVec2(at.x + 12, at.y + 0.62 * room.y))
+            if imgui.button("Restart the plots"):
+                self.restart()
+            imgui.set_cursor_screen_pos(ImVec2(at.x, at.y + room.y + imgui.get_style().item_spacing.y))
+
+    def ask(self, values: dict, size: tuple[int, int]) -> None:
+        """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
+        found, theme = self.app.session.current, self.app.theme
+        camera = self.cameras.get(found.id)
+        triangles = values.get("triangles")
+        shown = {k: v for k, v in values.items() if k != "triangles"}
+        wanted = found.id, shown, size, theme.name, camera, id(triangles)
+        rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
+        if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
+            return
+        if self.process is None:
+            self.process = PlotProcess(on_picture=glfw.wake)
+        self.fine, self.asked = rest, wanted
+        ranges = {name: (spec.low, spec.high, spec.scale) for name, spec in found.values.items()}
+        self.process.request(found.step.plot, shown, ranges, camera, size, theme, triangles, fine=rest)
+
+    def take(self) -> None:
+        """Show the picture that has come; say so when the process has died."""
+        if self.process is None:
+            return
+        try:
+            picture = self.process.poll()
+        except PlotDied as died:
+            self.fault = str(died)
+            return
+        if picture is None:
+            return
+        height, width = picture.image.shape[:2]
+        if self.texture is None or self.texture.size != (width, height):
+            if self.texture is not None:
+                self.texture.release()
+            self.texture = self.app.ctx.texture((width, height), 3, alignment=1)
+        self.texture.write(picture.image.tobytes(), alignment=1)
+        if picture.wish.plot is self.app.session.current.step.plot:
+            self.of = self.app.session.current.id
+
+    def empty(self, at: ImVec2, room: ImVec2, hidden: bool) -> None:
+        """A plot on its way shows its axes; a dead or hidden one says so."""
+        theme, draw, unit = self.app.theme, imgui.get_window_draw_list(), imgui.get_font_size()
+        back, quiet = style.u32(rgb(theme.background)), style.u32(rgb(theme.quiet))
+        draw.add_rect_filled(at, ImVec2(at.x + room.x, at.y + room.y), back, 4.0)
+        low = ImVec2(at.x + 4 * unit, at.y + room.y - 3.5 * unit)
+        if not self.fault and isinstance(self.app.session.current.step.plot, Curves):
+            draw.add_line(low, ImVec2(at.x + room.x - unit, low.y), quiet, 1.5)
+            draw.add_line(low, ImVec2(low.x, at.y + 2.5 * unit), quiet, 1.5)
+        text = self.fault or ("hidden until you have guessed" if hidden else "drawing…")
+        draw.add_text(imgui.get_font(), unit, ImVec2(at.x + unit, at.y + 0.45 * room.y), quiet, text, room.x - 2 * unit)
+
+    def turn(self) -> None:
+        """A plot in space is turned like the scene."""
+        found = self.app.session.current
+        if isinstance(found.step.plot, Curves):
+            return
+        from dataclasses import replace
+
+        io, camera = imgui.get_io(), self.cameras.get(found.id, found.step.plot.camera)
+        if imgui.is_item_active() and (io.mouse_delta.x or io.mouse_delta.y):
+            self.cameras[found.id] = replace(camera, azimuth=camera.azimuth - TURN * io.mouse_delta.x,
+                                             elevation=min(max(camera.elevation + TURN * io.mouse_delta.y, -89), 89))
+        elif imgui.is_item_hovered() and imgui.is_mouse_double_clicked(0):
+            self.cameras.pop(found.id, None)
+
+    def restart(self) -> None:
+        self.fault, self.asked = "", ()
+        if self.process is not None:
+            try:
+                self.process.restart()
+            except Problem as problem:
+                self.fault = str(problem)
 
     def close(self) -> None:
-        pass
+        if self.process is not None:
+            self.process.close()
+        if self.texture is not None:
+            self.texture.release()

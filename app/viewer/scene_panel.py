@@ -92,17 +92,22 @@ class ScenePanel:
             self.word(label.text, colour(label.colour, theme), self.points[f"label {label.text}"], corner, room, theme)
         for mark in scene.marks:
             if mark.label:
-                self.word(mark.label, colour(mark.colour, theme), self.points[f"mark {mark.name}"], corner, room, theme)
+                self.word(mark.label, colour(mark.colour, theme), self.points[f"mark {mark.name}"], corner, room, theme,
+                          gap=1.1 if mark.tip != "none" else 0.4)
         self.legend(corner, room, theme)
         if self.faults:
             self.fault_notice(corner, room, theme)
 
-    def word(self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
+    def word(self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme,
+             gap: float = 0.4) -> None:
         """A word beside its point, kept inside the picture, with a halo of the background."""
-        at, size, gap = self.on_screen(point, corner, room), imgui.calc_text_size(text), 0.35 * imgui.get_font_size()
-        x = at.x + gap if at.x < corner.x + room.x / 2 or len(text) < 4 else at.x - size.x / 2
+        at, size, gap = self.on_screen(point, corner, room), imgui.calc_text_size(text), gap * imgui.get_font_size()
+        away = np.array([at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2])  # outwards, off the lines it names
+        away = away / max(float(np.hypot(*away)), 1e-6)
+        x = at.x + away[0] * (gap + size.x / 2) - size.x / 2
+        y = at.y + away[1] * (gap + size.y / 2) - size.y / 2
         x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)
-        y = min(max(at.y - size.y - gap, corner.y + gap), corner.y + room.y - size.y - gap)
+        y = min(max(y, corner.y + gap), corner.y + room.y - size.y - gap)
         draw, back, front = imgui.get_window_draw_list(), style.u32(rgb(theme.background), 0.85), style.u32(shade)
         for dx, dy in ((-1.5, 0), (1.5, 0), (0, -1.5), (0, 1.5)):
             draw.add_text(ImVec2(x + dx, y + dy), back, text)

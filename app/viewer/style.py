@@ -28,13 +28,17 @@ def load_font() -> None:
     """One font for everything; its glyphs are made when they are first drawn."""
     hello_imgui.get_runner_params().callbacks.default_icon_font = hello_imgui.DefaultIconFont.no_icons
     hello_imgui.load_font_ttf("fonts/Roboto/Roboto-Regular.ttf", 16.0)
+    merged = hello_imgui.FontLoadingParams()
+    merged.merge_to_last_font = True
+    hello_imgui.load_font("fonts/latex/latinmodern-math.otf", 16.0, merged)  # what Roboto lacks: arrows, ⊥, ≥
 
 
 def apply(theme: Theme, height: float) -> None:
     """Colours, roundings and the text size for a window `height` pixels high."""
+    hello_imgui.get_runner_params().imgui_window_params.background_color = vec(rgb(theme.panel))
     style = imgui.get_style()
     (imgui.style_colors_dark if theme.name == "dark" else imgui.style_colors_light)()
-    style.font_size_base = text_size(theme, height)
+    style.font_size_base = style._next_frame_font_size_base = text_size(theme, height)  # as Dear ImGui's own style editor
     style.frame_rounding = style.grab_rounding = style.popup_rounding = style.child_rounding = 5.0
     style.window_rounding = 0.0
     style.window_border_size = 0.0

@@ -9,6 +9,8 @@ from app.prose import for_screen
 from app.theme import THEMES, Theme, colour
 from app.viewer import style
 
+MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
+
 
 @lru_cache(maxsize=64)
 def prose(text: str, theme: str) -> str:
@@ -23,7 +25,10 @@ def draw(app) -> None:
     imgui.text_wrapped(step.idea)
     imgui.pop_style_color()
     imgui.spacing()
+    base = imgui.get_style().font_size_base
+    imgui.push_font(None, base * base / MARKDOWN)  # it measures a pushed size against the base, and starts from its own
     rich_md.render_raw(prose(step.prose, theme.name))
+    imgui.pop_font()
     imgui.spacing()
     question(app, step, theme)
     imgui.spacing()
@@ -90,6 +95,6 @@ def guess(app, step: Step) -> None:
     now = answer.guess if answer.guess is not None else app.first_guess(ask)
     flags = imgui.SliderFlags_.always_clamp | (imgui.SliderFlags_.logarithmic if ask.scale == "log" else 0)
     imgui.set_next_item_width(-1)
-    changed, new = imgui.slider_float("##guess", now, ask.low, ask.high, f"%.3g {ask.unit}", flags)
+    changed, new = imgui.slider_float("##guess", now, ask.low, ask.high, f"%.{0 if ask.high >= 1e3 else 2 if ask.high > 0.5 else 3}f {ask.unit}", flags)
     if changed:
         app.session.guess(min(max(new, ask.low), ask.high))

@@ -98,9 +98,9 @@ class Window:
     def lesson(self, size: ImVec2) -> None:
         self.set_stage()
         unit = imgui.get_font_size()
-        bar, wide = 2.6 * unit, self.theme.name == "projector"
-        left = min(max(0.29 * size.x, 22 * unit), 32 * unit) * (0.92 if wide else 1.0)
-        right = min(max(0.27 * size.x, 19 * unit), 40 * unit)
+        bar = round(2.6 * unit)
+        left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
+        right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
         middle, height = size.x - left - right, size.y - bar
         self.column("Text", 0, left, height, lambda: text_panel.draw(self))
         self.column("Scene", left, middle, height, self.scene_column)

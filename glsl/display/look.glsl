@@ -15,3 +15,9 @@ float grid_lines(vec2 st, vec2 cells) {
     vec2 line = (1.0 - smoothstep(vec2(0.5), vec2(1.5), off)) * clamp(vec2(0.5) / wide, vec2(0.0), vec2(1.0));
     return max(line.x, line.y);
 }
+
+vec3 glass(vec2 st, vec2 cells) {
+    // a sphere to look through: a little darker or lighter than what is behind it, with its graticule
+    vec3 body = mix(palette[COLOUR_QUIET], background, 0.35);
+    return mix(body, palette[COLOUR_EXACT], grid_lines(st, cells) * 0.6);
+}
