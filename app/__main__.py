@@ -1,5 +1,188 @@
-"""The command line; it imports only the chosen job."""
+"""The command line; it imports only the chosen job. A Problem is one sentence, its traceback only with --debug."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from typing import NoReturn
+
+from app.problem import Problem, Usage, near
+
+INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
+JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, what it does)
+    "show": ("", "open the window at a state: halfway show 'solid_angle/patch?distance=2.5&tilt=30'"),
+    "list": ("", "chapters, steps and the slides they teach"),
+    "inspect": ("app.inspection", "what a step brings along, and what it leaves out"),
+    "render": ("", "one step as a picture"),
+    "eval": ("app.calculator", "any function of the course as a calculator"),
+    "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
+}
+INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."
 
 
-def main() -> int:
-    return 0
+class Parser(argparse.ArgumentParser):
+    """Speaks like the rest of the course: one sentence, with the nearest option for a mistyped one."""
+
+    def error(self, message: str) -> NoReturn:
+        wrong = message.removeprefix("unrecognized arguments: ")
+        if wrong == message:
+            raise Usage(f"{message}. See {self.prog} --help.")
+        known = [option for action in self._actions for option in action.option_strings]
+        word = wrong.split()[0]
+        close = near(word, known) if word.startswith("-") else ""
+        raise Usage(f"{self.prog} takes no {word}.{close or f' See {self.prog} --help.'}")
+
+
+def main(arguments: list[str] | None = None) -> int:
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = "--debug" in words
+    words = [word for word in words if word != "--debug"]
+    try:
+        code = chosen(words)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the interpreter flushes once more
+        return CLOSED_PIPE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except Exception as error:
+        return told(error, debug)
+
+
+def told(error: Exception, debug: bool) -> int:
+    """One sentence on stderr, and the exit code."""
+    if debug:
+        import traceback
+
+        traceback.print_exception(error)
+    if isinstance(error, Problem):
+        print(f"halfway: {str(error).strip()}", file=sys.stderr)
+        return error.code
+    name = getattr(error, "filename", None)
+    words = f"{name}: {error.strerror}" if isinstance(error, OSError) and name else f"{type(error).__name__}: {error}"
+    print(f"halfway: {' '.join(words.split())}; run it with --debug to see where.", file=sys.stderr)
+    return 1
+
+
+def chosen(words: list[str]) -> int:
+    name = words[0] if words and not words[0].startswith("-") else ""
+    if name and name not in JOBS:
+        if "/" in name:
+            raise Usage(f"there is no command {name}. Did you mean halfway show {name}?")
+        raise Usage(f"there is no command {name}.{near(name, JOBS)}")
+    if not name:
+        return course(front(words))
+    module, what = JOBS[name]
+    parser = Parser(prog=f"halfway {name}", description=what, allow_abbrev=False)
+    add_arguments: Callable[[argparse.ArgumentParser], None]
+    if module:
+        job = import_module(module)
+        add_arguments, run = job.add_arguments, job.run
+    else:
+        add_arguments, run = OWN[name]
+    add_arguments(parser)
+    parser.add_argument("--debug", action="store_true", help="show where an error happened")
+    return int(run(parser.parse_args(words[1:])) or 0)
+
+
+def front(words: list[str]) -> argparse.Namespace:
+    """`halfway` without a command."""
+    jobs = "\n".join(f"  {name:10s}{what}" for name, (_, what) in JOBS.items())
+    parser = Parser(prog="halfway", description=INTRODUCTION, epilog=f"commands:\n{jobs}", allow_abbrev=False,
+                    usage="halfway [command] [options]", formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--version", action="store_true", help="print the version")
+    parser.add_argument("--debug", action="store_true", help="show where an error happened")
+    window_arguments(parser)
+    options = parser.parse_args(words)
+    options.state = ""
+    return options
+
+
+# --- the window ------------------------------------------------------------------------------------------------------
+def window_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--theme", metavar="NAME", default="", help="dark, light or projector")
+    parser.add_argument("--mesh", metavar="FILE", help="your mesh: STL, OBJ, PLY or GLB")
+
+
+def show_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("state", metavar="STATE", help="chapter/step, with values if you like: ?distance=2.5&tilt=30")
+    window_arguments(parser)
+
+
+def course(options: argparse.Namespace) -> int:
+    """The window, or the same lessons as pictures where there is no display."""
+    if getattr(options, "version", False):
+        from importlib.metadata import version
+
+        print(f"halfway {version('halfway')}")
+        return 0
+    from app.theme import THEMES
+
+    if options.theme and options.theme not in THEMES:
+        raise Usage(f"there is no theme {options.theme}.{near(options.theme, THEMES)}")
+    if options.state:
+        from app.state import parse
+
+        parse(options.state)
+    if has_display():
+        return int(import_module("app.viewer").run(options) or 0)
+    print("There is no display for a window here, so the lessons become pictures and a page to open in a browser.")
+    return int(import_module("app.export.gallery").run(options) or 0)
+
+
+def has_display() -> bool:
+    return sys.platform in ("darwin", "win32") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+# --- pictures --------------------------------------------------------------------------------------------------------
+def render_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
+    parser.add_argument("-o", "--output", metavar="FILE.png", required=True, help="where the picture goes")
+    parser.add_argument("--size", metavar="WxH", help="pixels; 1280x720")
+    parser.add_argument("--set", metavar="name=value", nargs="+", action="extend", default=[],
+                        help="values of the step, angles in degrees")
+    parser.add_argument("--view", metavar="PART", help="scene, plot or both")
+    parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
+    parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
+
+
+def render(options: argparse.Namespace) -> int:
+    return int(import_module("app.export.still").run(options) or 0)
+
+
+# --- the list --------------------------------------------------------------------------------------------------------
+def list_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--json", action="store_true", help="print it as JSON")
+
+
+def list_steps(options: argparse.Namespace) -> int:
+    """Every chapter; one that cannot be read is told on stderr, and the code is 1."""
+    from app.catalog import LoadedStep, chapters
+
+    found = chapters()
+    if options.json:
+        import json
+
+        print(json.dumps([{
+            "chapter": loaded.id, "number": loaded.number, "title": loaded.chapter.title, "fault": loaded.fault,
+            "steps": [{"step": f"{loaded.id}/{step.name}", "title": step.title, "slides": step.slides,
+                       "minutes": step.minutes, "beyond": step.beyond} for step in loaded.chapter.steps],
+        } for loaded in found], indent=1, ensure_ascii=False))
+    else:
+        for loaded in found:
+            print(f"{loaded.number}  {loaded.chapter.title}")
+            for i, step in enumerate(loaded.chapter.steps):
+                plus = " +" if step.beyond else ""
+                print(f"   {LoadedStep(loaded, step, i).id:28s}{step.title}{plus}  [{'; '.join(step.slides)}]")
+    faults = [loaded.fault for loaded in found if loaded.fault]
+    for fault in faults:
+        print(f"halfway: {fault}", file=sys.stderr)
+    return 1 if faults else 0
+
+
+OWN = {"show": (show_arguments, course), "list": (list_arguments, list_steps), "render": (render_arguments, render)}
+
+if __name__ == "__main__":
+    sys.exit(main())
