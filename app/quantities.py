@@ -71,6 +71,7 @@ TABLE: dict[str, Quantity] = {
     "c": Quantity("C", "m", -2.0, 2.0, (0.0, 0.6, 1.0), "third corner of a triangle", kind="vec3"),
     "ab": Quantity("AB", "m", -2.0, 2.0, (1.0, 0.0, 0.0), "edge of a triangle, from A to B", kind="vec3"),
     "ac": Quantity("AC", "m", -2.0, 2.0, (0.5, 1.1, 0.0), "edge of a triangle, from A to C", kind="vec3"),
+    "area": Quantity("N", "m^2", -4.0, 4.0, (0.0, 0.0, 1.1), "area vector of a triangle, AB x AC", kind="vec3"),
     "eye": Quantity("E", "m", -2.0, 2.0, (0.0, 0.0, 0.0), "the point from which it is seen", kind="vec3"),
     "corner_count": Quantity("n", "", 3, 5, 5, "corners of the polygon", kind="int"),
     "corner_a": Quantity("P_1", "", -1.0, 1.0, (-0.6, -0.5), "first corner of the outline", kind="vec2"),

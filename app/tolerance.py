@@ -105,6 +105,12 @@ def _outline_terms(corner_count, size, distance, x, y, **corners):
     return np.sum(np.where(used, value, 0), -1)
 
 
+def _ratio_terms(distance, tilt, width):
+    near, far = ({"distance": x, "tilt": tilt, "width": width} for x in (distance, 2 * distance))
+    f, value = twin("solid_angle_patch"), twin("solid_angle_patch_ratio")(distance, tilt, width)
+    return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
@@ -113,6 +119,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_disk": _disk_terms,
     "solid_angle_polygon": _polygon_terms,
     "solid_angle_outline": _outline_terms,
+    "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }

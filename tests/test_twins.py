@@ -87,6 +87,11 @@ def between_the_poles(a: dict, rng) -> dict:
     return a | {"d_theta": f32(np.minimum(a["d_theta"], 2 * np.minimum(a["theta"], np.pi - a["theta"])))}
 
 
+def with_its_area(a: dict, rng) -> dict:
+    a = shrunk(a, rng)
+    return a | {"area": f32(np.cross(a["b"] - a["a"], a["c"] - a["a"]))}
+
+
 def below_samples(a: dict, rng) -> dict:
     return a | {"index": a["index"] % a["samples"]}
 
@@ -96,8 +101,8 @@ def unit(a: dict, rng) -> dict:
 
 
 def not_too_near(a: dict, rng) -> dict:
-    """Beyond, the edge that the horizon cuts passes the eye closer than the square's corners are known."""
-    return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"]))}
+    """The corners of the square are known to u times its width: its plane may not pass the eye much closer."""
+    return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"] * np.abs(np.cos(a["tilt"]))))}
 
 
 JOINT = {  # arguments that belong together
@@ -106,6 +111,7 @@ JOINT = {  # arguments that belong together
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
     "solid_angle_cell": between_the_poles,
+    "solid_angle_corners": with_its_area,
     "solid_angle_face": shrunk,
     "solid_angle_rectangle_beside": beside,
     "solid_angle_rectangle_off_axis": in_order,

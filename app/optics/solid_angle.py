@@ -203,38 +203,55 @@ def _dot(a, b):
     return np.sum(a * b, -1)
 
 
+def solid_angle_corners(a, b, c, area):
+    """The signed solid angle of a triangle whose corners and area vector are known, each to its own precision.
+
+    2 atan2(n . area / (|a||b||c|), 1 + A.B + B.C + C.A), n the nearest corner, A, B, C the directions of the corners;
+    1 + A.B + B.C + C.A = (A + B).(A + C) at any corner, and cancels least at the one most opposite to the others
+
+    a, b, c (..., 3) m from the eye, area = (b - a) x (c - a) (..., 3) m^2. Returns (...) sr, -2 pi .. 2 pi, positive
+    where a, b, c run clockwise; 0 in the triangle's own plane, the mean of its two sides. Errors: none.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, rearranged.
+    """
+    a, b, c, area = np.broadcast_arrays(*(np.asarray(v, float) for v in (a, b, c, area)))
+    x, y, z = (np.sqrt(_dot(v, v)) for v in (a, b, c))
+    nearest = np.where(((x <= y) & (x <= z))[..., None], a, np.where((y <= z)[..., None], b, c))
+    volume, size = _dot(nearest, area), x * y * z
+    a, b, c = (v / np.where(length > 0, length, 1)[..., None] for v, length in ((a, x), (b, y), (c, z)))
+    p, q, r = a + b, b + c, c + a
+    pp, qq, rr = (_dot(v, v) for v in (p, q, r))
+    spread = np.where(pp >= np.maximum(qq, rr), _dot(q, r), np.where(qq >= rr, _dot(p, r), _dot(p, q)))
+    flat = (volume == 0) | (size == 0)
+    return np.where(flat, 0.0, 2 * np.arctan2(volume / np.where(flat, 1, size), spread))[()]
+
+
 def solid_angle_triangle_edges(a, ab, ac):
-    """The signed solid angle of a triangle given by its corner nearest to the eye and the two edges there.
+    """The signed solid angle of a triangle given by a corner and its two edges, for one small beside its distance.
 
-    b = a + ab, c = a + ac: 2 atan2(a . (ab x ac), |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|)
+    solid_angle_corners(a, a + ab, a + ac, ab x ac)
 
-    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane, the mean of
-    its two sides. Errors: none if a is the nearest corner.
-    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle, with the edges, which do not cancel for
-    a small triangle.
+    a, ab, ac (..., 3) m, a from the eye. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane.
+    Errors: none if no corner is much nearer to the eye than a.
+    Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
     a, ab, ac = (np.asarray(v, float) for v in (a, ab, ac))
-    b, c = a + ab, a + ac
-    x, y, z = (np.sqrt(_dot(v, v)) for v in (a, b, c))
-    volume = _dot(a, np.cross(ab, ac))
-    spread = x * y * z + _dot(a, b) * z + _dot(a, c) * y + _dot(b, c) * x
-    return np.where(volume == 0, 0.0, 2 * np.arctan2(volume, spread))[()]
+    return solid_angle_corners(a, a + ab, a + ac, np.cross(ab, ac))
 
 
 def solid_angle_face(a, b, c, eye):
     """The solid angle of a triangle seen from the eye, with a sign: positive where the eye sees a, b, c run clockwise.
 
-    solid_angle_triangle_edges from the corner nearest to the eye
+    solid_angle_corners, the area from the two shortest edges
 
     a, b, c, eye (..., 3) m. Returns (...) sr, -2 pi .. 2 pi; 0 in the triangle's own plane. A closed mesh, its faces
     counter-clockwise from outside, sums to +4 pi inside. Errors: none.
     Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    a, b, c, eye = np.broadcast_arrays(*(np.asarray(v, float) for v in (a, b, c, eye)))
-    nearest = np.argmin([_dot(v - eye, v - eye) for v in (a, b, c)], 0)[..., None]
-    first, second, third = (np.where(nearest == 0, u, np.where(nearest == 1, v, w))
-                            for u, v, w in ((a, b, c), (b, c, a), (c, a, b)))
-    return solid_angle_triangle_edges(first - eye, second - first, third - first)
+    a, b, c, eye = (np.asarray(v, float) for v in (a, b, c, eye))
+    ab, bc, ca = b - a, c - b, a - c
+    x, y, z = (_dot(v, v)[..., None] for v in (bc, ca, ab))
+    area = np.where(x >= np.maximum(y, z), np.cross(ca, ab), np.where(y >= z, np.cross(ab, bc), np.cross(bc, ca)))
+    return solid_angle_corners(a - eye, b - eye, c - eye, area)
 
 
 def solid_angle_triangle_signed(a, b, c):
@@ -251,7 +268,7 @@ def solid_angle_triangle_signed(a, b, c):
 def solid_angle_triangle(a, b, c):
     """The solid angle of a triangle seen from the origin.
 
-    2 atan2(|a . ((b - a) x (c - a))|, |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|), a the nearest corner, not normalised
+    2 atan2(|a . ((b - a) x (c - a))|, |a||b||c| + (a.b)|c| + (a.c)|b| + (b.c)|a|), as solid_angle_corners computes it
 
     a, b, c (..., 3) m. Returns (...) sr, 0 .. 2 pi; 0 in the triangle's own plane. Errors: none.
     Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.

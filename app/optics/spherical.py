@@ -45,7 +45,7 @@ def fibonacci_direction(index, samples):
     Source: Swinbank and Purser 2006, Fibonacci grids: a novel approach to global modelling.
     """
     index, samples = np.broadcast_arrays(np.asarray(index, np.int64), np.asarray(samples, np.int64))
-    turn = (index * 2654435769 % 2**32) / 2**32
+    turn = ((index * 2654435769 + 2**31) % 2**32 - 2**31) / 2**32  # -1/2 .. 1/2
     above, below = 2 * index + 1.0, 2 * (samples - index) - 1.0  # samples (1 - z), samples (1 + z)
     r, phi = np.sqrt(above * below) / samples, 2 * np.pi * turn
     return np.stack([r * np.cos(phi), r * np.sin(phi), 0.5 * (below - above) / samples], -1)

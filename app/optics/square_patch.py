@@ -115,8 +115,8 @@ def projected_solid_angle_patch(theta, distance, tilt, width):
     projected_solid_angle_polygon of the four corners; a small square above the horizon, where that rounds, by 8 x 8
     Gauss points of width^2 distance |cos tilt| z / r^4
 
-    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: those of projected_solid_angle_polygon.
-    Source: Lambert 1760, Photometria.
+    theta, tilt (...) rad, distance, width (...) m. Returns (...) sr. Errors: those of projected_solid_angle_polygon;
+    in float32 more where the square's plane passes the eye closer than width / 1000. Source: Lambert 1760, Photometria.
     """
     theta, distance, tilt, width = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, distance, tilt, width)))
     around = ((0, 0), (1, 0), (1, 1), (0, 1))

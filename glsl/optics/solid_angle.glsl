@@ -74,21 +74,29 @@ float solid_angle_rectangle_naive(float width, float depth, float distance) {
     return 4.0 * arccos(sqrt((1.0 + a * a + b * b) / ((1.0 + a * a) * (1.0 + b * b))));
 }
 
+float solid_angle_corners(vec3 a, vec3 b, vec3 c, vec3 area) {
+    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle; area = (b - a) x (c - a)
+    float x = length(a), y = length(b), z = length(c), size = x * y * z;
+    vec3 nearest = x <= y && x <= z ? a : y <= z ? b : c;
+    float volume = dot(nearest, area);
+    if (volume == 0.0 || size == 0.0) return 0.0; // the eye is in the triangle's plane
+    vec3 p = a / x + b / y, q = b / y + c / z, r = c / z + a / x;
+    float pp = dot(p, p), qq = dot(q, q), rr = dot(r, r);
+    float spread = pp >= max(qq, rr) ? dot(q, r) : qq >= rr ? dot(p, r) : dot(p, q); // all are 1 + cos + cos + cos
+    return 2.0 * arctan2(volume / size, spread);
+}
+
 float solid_angle_triangle_edges(vec3 a, vec3 ab, vec3 ac) {
-    // van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle; positive where a, b, c run clockwise
-    vec3 b = a + ab, c = a + ac;
-    float x = length(a), y = length(b), z = length(c);
-    float volume = dot(a, cross(ab, ac));
-    if (volume == 0.0) return 0.0; // the eye is in the triangle's plane
-    return 2.0 * arctan2(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
+    // van Oosterom and Strackee 1983, for a triangle small beside its distance; positive where a, b, c run clockwise
+    return solid_angle_corners(a, a + ab, a + ac, cross(ab, ac));
 }
 
 float solid_angle_face(vec3 a, vec3 b, vec3 c, vec3 eye) {
-    // van Oosterom and Strackee 1983, from the corner nearest to the eye; positive where a, b, c run clockwise
-    float x = length(a - eye), y = length(b - eye), z = length(c - eye);
-    if (y < x && y <= z) return solid_angle_triangle_edges(b - eye, c - b, a - b);
-    if (z < x) return solid_angle_triangle_edges(c - eye, a - c, b - c);
-    return solid_angle_triangle_edges(a - eye, b - a, c - a);
+    // van Oosterom and Strackee 1983, area from the two shortest edges; positive where a, b, c run clockwise
+    vec3 ab = b - a, bc = c - b, ca = a - c;
+    float x = dot(bc, bc), y = dot(ca, ca), z = dot(ab, ab);
+    vec3 area = x >= max(y, z) ? cross(ca, ab) : y >= z ? cross(ab, bc) : cross(bc, ca);
+    return solid_angle_corners(a - eye, b - eye, c - eye, area);
 }
 
 float solid_angle_triangle_signed(vec3 a, vec3 b, vec3 c) {

@@ -17,7 +17,7 @@ vec3 direction_phi(float phi) {
 
 vec3 fibonacci_direction(int index, int samples) {
     // Swinbank and Purser 2006, Fibonacci grids; the golden turn in 32-bit integers, where it cannot round
-    float turn = float(uint(index) * 2654435769u) / 4294967296.0;
+    float turn = float(int(uint(index) * 2654435769u)) / 4294967296.0; // -1/2 .. 1/2
     float above = float(2 * index + 1), below = float(2 * (samples - index) - 1), n = float(samples);
     float r = sqrt(above * below) / n, phi = 2.0 * PI * turn; // above = n (1 - z), below = n (1 + z)
     return vec3(r * cos(phi), r * sin(phi), 0.5 * (below - above) / n);
