@@ -1,0 +1,1 @@
+"""Stills and the gallery: the course as files, without a window."""

@@ -1,0 +1,125 @@
+"""Words and samples of lines on a picture, at sizes that follow it, in one font for all stills."""
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+from PIL import Image, ImageDraw, ImageFont
+
+from app.lesson import Mark
+from app.readouts import raised
+from app.theme import Theme, colour
+
+FONTS = (  # package, folder, (upright, bold): DejaVu has every sign the course writes
+    ("matplotlib", "mpl-data/fonts/ttf", ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf")),
+    ("imgui_bundle", "assets/fonts/Roboto", ("Roboto-Regular.ttf", "Roboto-Bold.ttf")),
+)
+PATTERNS = {"solid": ((0.0, 1.0),), "dashed": ((0.0, 0.4), (0.6, 1.0)), "dotted": tuple((x, x + 0.1) for x in
+            (0.0, 0.225, 0.45, 0.675, 0.9)), "dashdot": ((0.0, 0.4), (0.52, 0.62), (0.74, 1.0))}
+FINE = 4  # samples are drawn this much larger and reduced
+
+
+@cache
+def font_files() -> tuple[Path, Path] | None:
+    """The upright and the bold font, found without importing the packages they come with."""
+    for package, folder, names in FONTS:
+        spec = find_spec(package)
+        for base in (spec.submodule_search_locations or []) if spec else []:
+            upright, bold = (Path(base) / folder / name for name in names)
+            if upright.is_file() and bold.is_file():
+                return upright, bold
+    return None
+
+
+@cache
+def font(size: int, bold: bool = False) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
+    files = font_files()
+    return ImageFont.truetype(files[bold], size) if files else ImageFont.load_default(size)
+
+
+@dataclass(frozen=True)
+class Ink:
+    """The sizes and colours of a theme on a picture; made to be seen from afar: text is larger than in a window."""
+
+    theme: Theme
+    size: tuple[int, int]  # of the whole picture
+
+    @property
+    def scale(self) -> float:
+        return max(1.0, 1.25 * min(self.size[0] / 1280, self.size[1] / 720))
+
+    @property
+    def text(self) -> int:
+        return round(self.theme.text * self.scale)
+
+    @property
+    def small(self) -> int:
+        return round(max(14.0, 0.88 * self.theme.text) * self.scale)
+
+    @property
+    def line(self) -> float:
+        return self.theme.line * self.scale
+
+    def colour(self, name: str) -> tuple[int, int, int]:
+        return bytes3(colour(name, self.theme))
+
+
+def bytes3(rgb) -> tuple[int, int, int]:
+    return tuple(round(255 * part) for part in rgb)  # type: ignore[return-value]
+
+
+def pieces(text: str, size: int) -> list[tuple[str, int, float]]:
+    """(text, size, lift): exponents are smaller and higher."""
+    return [(part, round(0.72 * size) if up else size, 0.42 * size if up else 0.0) for part, up in raised(text)]
+
+
+def length(text: str, size: int, bold: bool = False) -> float:
+    return sum(font(s, bold).getlength(part) for part, s, _ in pieces(text, size))
+
+
+def write(draw: ImageDraw.ImageDraw, at: tuple[float, float], text: str, size: int, ink: tuple[int, int, int], *,
+          bold: bool = False, halo: tuple[int, int, int] | None = None) -> float:
+    """Text from the left end of its base line, with a rim of the halo's colour; returns where it ends."""
+    for rim in ((halo, ink) if halo else (ink,)):
+        x = at[0]
+        for part, s, lift in pieces(text, size):
+            stroke = max(1, round(0.12 * size)) if halo and rim is halo else 0
+            draw.text((x, at[1] - lift), part, rim, font(s, bold), anchor="ls", stroke_width=stroke, stroke_fill=rim)
+            x += font(s, bold).getlength(part)
+    return x
+
+
+def fitted(text: str, size: int, width: float, bold: bool = False) -> str:
+    """The text, or as much of its beginning as fits, with an ellipsis."""
+    if length(text, size, bold) <= width:
+        return text
+    while text and length(text + "…", size, bold) > width:
+        text = text[:-1]
+    return text.rstrip() + "…" if text else ""
+
+
+def sample(picture: Image.Image, at: tuple[float, float], width: float, mark: Mark, ink: Ink) -> None:
+    """A piece of the mark's line, with its tip at the right end; `at` is the left end."""
+    high = round(2.2 * ink.small)
+    big = Image.new("RGBA", (FINE * round(width), FINE * high), (*ink.colour(mark.colour), 0))
+    draw, full = ImageDraw.Draw(big), (*ink.colour(mark.colour), 255)
+    middle, thick, right = big.height / 2, FINE * ink.line * min(1.6, mark.width), big.width
+    if mark.tip == "arrow":
+        draw.polygon([(right, middle), (right - 3.6 * thick, middle - 2.0 * thick),
+                      (right - 3.6 * thick, middle + 2.0 * thick)], full)
+        right -= round(3.2 * thick)
+    elif mark.tip != "none":
+        r = 1.9 * thick
+        draw.ellipse((right - 2 * r, middle - r, right, middle + r), full)
+        right -= round(r)
+    for a, b in PATTERNS[mark.line]:
+        draw.rectangle((a * right, middle - thick / 2, b * right, middle + thick / 2), full)
+    small = big.resize((round(width), high), Image.Resampling.BOX)
+    picture.paste(small, (round(at[0]), round(at[1] - high / 2)), small)
+
+
+def square(draw: ImageDraw.ImageDraw, at: tuple[float, float], side: float, ink: tuple[int, int, int]) -> None:
+    """A sample of a surface; `at` is the middle of its left side."""
+    x, y = at
+    draw.rounded_rectangle((x, y - side / 2, x + side, y + side / 2), side / 5, ink)

@@ -1,0 +1,153 @@
+"""One picture of one step: `halfway render`. Loads neither the window nor VTK unless the plot is asked for."""
+
+import math
+from dataclasses import replace
+from io import BytesIO
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+from app.catalog import LoadedStep, step
+from app.export import target
+from app.export.corners import entries, legend, notice
+from app.export.ink import Ink
+from app.export.labels import draw_words, place, words
+from app.export.strip import strip
+from app.gpu.context import context
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
+from app.lesson import Camera
+from app.problem import Usage, near
+from app.readouts import numbers
+from app.state import View, parse, parse_set, write
+from app.theme import THEMES, Theme
+
+Part = Literal["scene", "plot", "both"]
+PARTS: tuple[Part, ...] = ("scene", "plot", "both")
+FILLED, MOST_ZOOM = 0.86, 1.7  # how much of the picture a scene fills, and what is done for that
+
+
+def run(options) -> int:
+    """options: step (a state string), output, size, set (name=value, ...), view, theme, mesh."""
+    path, size = target.picture_path(options.output), target.size_of(options.size or "1280x720")
+    theme = THEMES[known("--theme", options.theme or "dark", tuple(THEMES))]
+    part: Part = known("--view", options.view or "scene", PARTS)  # type: ignore[assignment]
+    state = parse(options.step)
+    found = step(state.step)
+    values = dict(state.values)
+    for text in options.set or ():
+        values |= parse_set(text, found)
+    values |= data(found, values, options.mesh)
+    picture = still(found, values, state.view, size, theme, part)
+    target.write(path, png(picture, found, write(found, values, state.view)))
+    return 0
+
+
+def known(option: str, name: str, names: tuple[str, ...]) -> str:
+    if name not in names:
+        raise Usage(f"{option} {name}: there are {', '.join(names)}.{near(name, names)}")
+    return name
+
+
+def data(found: LoadedStep, values: dict, mesh: str | Path | None = None) -> dict:
+    """What a step needs besides its sliders: the triangles of its mesh, its own or the user's."""
+    scene = found.step.scene
+    if not any(surface.mesh for surface in scene.surfaces):
+        if mesh:
+            raise Usage(f"{found.id} has no mesh that {mesh} could replace.")
+        return {}
+    from app import meshes
+
+    if mesh:
+        return {"triangles": meshes.load(mesh).triangles}
+    return {"triangles": meshes.built_in(scene.meshes[int(values.get("shape", 0))]).triangles}
+
+
+def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple[int, int] = (1280, 720),
+          theme: Theme = THEMES["dark"], part: Part = "scene") -> Image.Image:
+    """The scene, the plot, or both side by side, above a strip with title, state and numbers; exactly `size`."""
+    ink = Ink(theme, size)
+    below = strip(size[0], 0.34 * size[1], found.step.title, write(found, values, view),
+                  numbers(found.step, values, context()), ink)
+    height = size[1] - (below.height if below else 0)
+    picture = Image.new("RGB", size, ink.colour("background"))
+    left = size[0] if part == "scene" else 0 if part == "plot" else size[0] // 2
+    if left:
+        picture.paste(shot(found, values, view, (left, height), theme, ink), (0, 0))
+    if left < size[0]:
+        picture.paste(plotted(found, values, (size[0] - left, height), theme), (left, 0))
+    if below:
+        picture.paste(below, (0, height))
+    return picture
+
+
+def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, int], theme: Theme,
+         ink: Ink | None = None, small: bool = False) -> Image.Image:
+    """The scene with its labels, its legend and a notice of its faults; a small one has no words but the notice."""
+    scene, ink = found.step.scene, ink or Ink(theme, size)
+    stage = Stage(context(), Source(scene, found.file_name, found.glsl_line), values.get("triangles"))
+    try:
+        if view in (None, View.of(scene.camera)):
+            stage.draw(values, scene.camera, size, theme)
+            camera = framed(stage, scene.camera, ink)
+        else:
+            camera = view.camera(scene.camera)
+        if camera != scene.camera or not stage.size[0]:
+            stage.draw(values, camera, size, theme)
+        picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
+        said = [] if small else words(stage, values)
+    finally:
+        stage.release()
+    taken = notice(picture, faults, ink)
+    ends = [(w.at[0] - ink.text, w.at[1] - ink.text, w.at[0] + ink.text, w.at[1] + ink.text) for w in said]
+    taken += legend(picture, [] if small else entries(scene), ink, taken + ends)
+    draw_words(picture, place(said, picture, ink, taken), ink)
+    return picture
+
+
+def framed(stage: Stage, camera: Camera, ink: Ink) -> Camera:
+    """The camera, nearer or farther, so that what the stage has just drawn fills the picture; it looks the same way."""
+    seen = (stage.pixels().astype(np.int16) - np.array(ink.colour("background"), np.int16))
+    rows, columns = (np.flatnonzero((np.abs(seen).max(-1) > 24).any(axis)) for axis in (1, 0))
+    if not len(rows):
+        return camera
+    reach = max(abs(2 * edge / n - 1) for found, n in ((columns, stage.size[0]), (rows, stage.size[1]))
+                for edge in (found[0], found[-1] + 1))
+    zoom = min(MOST_ZOOM, max(1 / MOST_ZOOM, FILLED / reach))
+    if abs(zoom - 1) < 0.03:
+        return camera
+    half = math.radians(camera.field_of_view) / 2
+    return replace(camera, field_of_view=math.degrees(2 * math.atan(math.tan(half) / zoom)))
+
+
+def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme) -> Image.Image:
+    """The step's plot, drawn by the plots' own process."""
+    from app import plots
+
+    sliders = {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
+    ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
+    return Image.fromarray(plots.picture(found.step.plot, sliders, size, theme, ranges,
+                                         triangles=values.get("triangles")))
+
+
+def png(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
+    """The file's bytes; what was drawn and how to open it again stand in its text chunks."""
+    about = PngInfo()
+    about.add_text("Title", found.step.title)
+    about.add_text("Software", f"Halfway {version()}")
+    about.add_text("halfway:state", state)
+    out = BytesIO()
+    picture.save(out, "PNG", pnginfo=about, compress_level=4)
+    return out.getvalue()
+
+
+def version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("halfway")
+    except PackageNotFoundError:
+        return "unreleased"

@@ -1,0 +1,68 @@
+"""Where a picture goes and how large it is: what was typed, checked, and files that are whole or not there."""
+
+import os
+import re
+import tempfile
+from pathlib import Path
+
+from app.problem import Problem, Usage
+
+SMALLEST, LARGEST = 64, 8192  # px of a side
+
+
+def size_of(text: str) -> tuple[int, int]:
+    """1280x720 as (1280, 720)."""
+    match = re.fullmatch(r"\s*(\d{1,9})\s*[x×*,]\s*(\d{1,9})\s*", text)
+    if not match:
+        raise Usage(f"--size {text} is no size; write width and height in pixels, like 1280x720.")
+    width, height = int(match[1]), int(match[2])
+    if not (SMALLEST <= width <= LARGEST and SMALLEST <= height <= LARGEST):
+        raise Usage(f"--size {width}x{height}: each side has {SMALLEST} to {LARGEST} pixels.")
+    return width, height
+
+
+def picture_path(text: str | Path) -> Path:
+    """A file to write a PNG to, in a folder that exists."""
+    path = Path(text).expanduser()
+    if path.suffix.lower() != ".png":
+        raise Usage(f"{path} does not end in .png; stills are PNG files.")
+    if path.is_dir():
+        raise Usage(f"{path} is a folder; name a file in it.")
+    if not path.parent.is_dir():
+        raise Usage(f"there is no folder {path.parent}; make it first, or write somewhere else.")
+    return path
+
+
+def make_folder(text: str | Path) -> Path:
+    path = Path(text).expanduser()
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise Problem(f"the folder {path} cannot be made: {reason(error)}.") from None
+    return path
+
+
+def write(path: Path, data: bytes) -> None:
+    """The file with this content, all at once: a reader sees the old file or the new one."""
+    name = ""
+    try:
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        with os.fdopen(handle, "wb") as out:
+            out.write(data)
+        os.chmod(name, 0o666 & ~umask())
+        os.replace(name, path)
+    except OSError as error:
+        raise Problem(f"{path} cannot be written: {reason(error)}.") from None
+    finally:
+        if name and os.path.exists(name):
+            os.unlink(name)
+
+
+def umask() -> int:
+    now = os.umask(0o022)
+    os.umask(now)
+    return now
+
+
+def reason(error: OSError) -> str:
+    return (error.strerror or type(error).__name__).lower()
