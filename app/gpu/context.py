@@ -6,7 +6,9 @@ that nobody else closes. `with context():` makes it current again after somebody
 
 import ctypes
 import sys
+from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 import moderngl
 
@@ -21,7 +23,7 @@ Pointer = ctypes.c_void_p
 
 
 class SurfacelessContext:
-    """What moderngl.create_context(context=...) asks for, over EGL's surfaceless platform (EGL_MESA_platform_surfaceless)."""
+    """What moderngl.create_context(context=...) asks for, over EGL_MESA_platform_surfaceless."""
 
     def __init__(self) -> None:
         self.egl = egl = ctypes.CDLL("libEGL.so.1")
@@ -82,10 +84,12 @@ def context() -> moderngl.Context:
     """The process's own context for rendering without a window."""
     tried = []
     if sys.platform.startswith("linux"):
-        for way in (lambda: moderngl.create_context(require=330, context=SurfacelessContext()),
-                    lambda: moderngl.create_context(require=330, standalone=True, backend="egl")):
+        ways: list[Callable[[], Any]] = [SurfacelessContext, lambda: None]  # None: EGL's default display
+        for way in ways:
             try:
-                return way()
+                own = way()
+                given: Any = {"context": own} if own else {"standalone": True, "backend": "egl"}
+                return moderngl.create_context(require=330, **given)
             except Exception as error:  # whatever a driver raises, the next way may work
                 tried.append(str(error))
     try:

@@ -1,5 +1,7 @@
 """A GLSL function as an array function: transform feedback over all points, float32 in, float32 out."""
 
+from typing import cast
+
 import moderngl
 import numpy as np
 
@@ -13,47 +15,76 @@ TEXTURE_TRIANGLES = 256  # triangles in a row of a mesh texture
 
 
 def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.Context | None = None) -> np.ndarray:
-    """float32 values of a function of glsl/optics (or of `text`) at broadcast arguments.
+    """float32 values of a function of glsl/optics (or of `text`) at broadcast arguments; int32 of one that returns int.
 
-    args: name -> array; scalars (...), vectors (..., 2|3|4), arrays of corners (..., n, 3), meshes (faces, 3, 3).
+    args: name -> array; scalars (...), vectors (..., 2|3|4), arrays of corners (n, 2|3|4), meshes (faces, 3, 3).
     Returns (...) for float, (..., 3) for vec3. An array argument and a mesh are the same for all points.
     """
     include, signature = find(function, text)
     source, varying, fixed = point_program(signature, include if text is None else None, text)
-    ctx = ctx or context()
-    with ctx:
-        vertex = shader.assemble(source, function, header=shader.DESKTOP)
-        feedback = program(ctx, vertex, varyings=("value",))
-        for arg in fixed:
-            bind(ctx, feedback, arg, args[arg.name])
-        columns = {a.name: np.asarray(args[a.name], np.int32 if a.type == "int" else np.float32) for a in varying}
+    columns = {arg.name: column(function, arg, args) for arg in varying}
+    for arg in fixed:
+        column(function, arg, args)
+    try:
         shape = np.broadcast_shapes(*(c.shape[:-1] if WIDTH[a.type] > 1 else c.shape
                                       for a, c in zip(varying, columns.values(), strict=True)))
-        count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
+    except ValueError:
+        raise Usage(f"{function}: the shapes of its arguments do not fit together: "
+                    + ", ".join(f"{name} {c.shape}" for name, c in columns.items()) + ".") from None
+    count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
+    ctx = ctx or context()
+    with ctx:
+        feedback = program(ctx, shader.assemble(source, function, header=shader.DESKTOP), varyings=("value",))
         if count == 0:
             return np.empty((*shape, width) if width > 1 else shape, np.float32)
-        buffers = []
+        made: list = [bind(ctx, feedback, arg, args[arg.name]) for arg in fixed]
+        used = []
         for a in varying:
-            wide = WIDTH[a.type]
-            full = np.broadcast_to(columns[a.name], (*shape, wide) if wide > 1 else shape)
-            buffers.append((ctx.buffer(np.ascontiguousarray(full)), f"{wide}{'i' if a.type == 'int' else 'f'}", f"in_{a.name}"))
-        used = [b for b in buffers if b[2] in feedback]
+            if f"in_{a.name}" in feedback:
+                full = np.broadcast_to(columns[a.name], (*shape, WIDTH[a.type]) if WIDTH[a.type] > 1 else shape)
+                made.append(ctx.buffer(np.ascontiguousarray(full)))
+                used.append((made[-1], f"{WIDTH[a.type]}{'i' if a.type == 'int' else 'f'}", f"in_{a.name}"))
         points = ctx.vertex_array(feedback, used)
         out = ctx.buffer(reserve=4 * width * count)
         before = ctx.fbo
         pixel(ctx).use()
         points.transform(out, moderngl.POINTS, count)
         before.use()
-        value = np.frombuffer(out.read(), np.float32)
-        for thing in (points, out, *(b[0] for b in buffers)):
-            thing.release()
+        value = np.frombuffer(out.read(), np.int32 if signature.returns == "int" else np.float32)
+        for thing in (points, out, *made):
+            if thing is not None:
+                thing.release()
     return value.reshape((*shape, width) if width > 1 else shape)
+
+
+def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
+    """An argument as numbers of its type, its last axes as the type wants them."""
+    if arg.name not in args:
+        raise Usage(f"{function} needs {arg.name}.{near(arg.name, args)}")
+    data = np.asarray(args[arg.name], np.int32 if arg.type == "int" else np.float32)
+    tail: tuple[int, ...] = (3, 3) if arg.type == "sampler2D" else (WIDTH[arg.type],) if WIDTH[arg.type] > 1 else ()
+    if arg.type == "sampler2D" or arg.size:
+        if data.ndim != len(tail) + 1 or data.shape[1:] != tail:
+            raise Usage(f"{function}: {arg.name} is one array of shape {('n', *tail)} for all points, "
+                        f"not {data.shape}.")
+        if arg.size and len(data) > MAX_CORNERS:
+            raise Problem(f"{arg.name} has {len(data)} corners; the GLSL side takes at most {MAX_CORNERS}.")
+    elif data.shape[data.ndim - len(tail):] != tail:
+        raise Usage(f"{function}: {arg.name} is a {arg.type}, its last axis has {tail[0]} numbers; "
+                    f"it has shape {data.shape}.")
+    return data
 
 
 def find(function: str, text: str | None) -> tuple[str, shader.Signature]:
     known = shader.catalogue() if text is None else {n: ("", s) for n, s in shader.signatures(text).items()}
     if function not in known:
         raise Usage(f"there is no GLSL function {function}.{near(function, known)}")
+    signature = known[function][1]
+    types = (signature.returns, *(a.type for a in signature.args))
+    odd = [kind for kind in types if kind not in (*WIDTH, "sampler2D")]
+    if odd or signature.returns == "sampler2D":
+        raise Usage(f"{function} cannot be called point by point: it has the type {(odd or ['sampler2D'])[0]}; "
+                    f"possible are {', '.join(WIDTH)}.")
     return known[function]
 
 
@@ -65,25 +96,26 @@ def point_program(signature: shader.Signature, include: str | None, text: str | 
     lines += [f"in {a.type} in_{a.name};" for a in varying]
     lines += [f"uniform {a.type} in_{a.name}{f'[{a.size}]' if a.size else ''};" for a in fixed]
     call = ", ".join(f"in_{a.name}" for a in signature.args)
-    lines += [f"flat out {signature.returns} value;" if signature.returns == "int" else f"out {signature.returns} value;",
+    lines += [f"{'flat ' * (signature.returns == 'int')}out {signature.returns} value;",
               f"void main() {{ value = {signature.name}({call}); }}"]
     return "\n".join(lines), varying, fixed
 
 
-def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument, given) -> None:
+def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument, given) -> moderngl.Texture | None:
+    """Set an argument that is the same for all points; the texture it made, to be released after the call."""
     name = f"in_{arg.name}"
     if name not in feedback:
-        return
+        return None
     if arg.type == "sampler2D":
-        mesh_texture(ctx, np.asarray(given)).use(0)
+        texture = mesh_texture(ctx, np.asarray(given))
+        texture.use(0)
         feedback[name] = 0
-        return
-    corners = np.asarray(given, np.float32).reshape(-1, WIDTH[arg.type])
-    if len(corners) > MAX_CORNERS:
-        raise Problem(f"{arg.name} has {len(corners)} corners; the GLSL side takes at most {MAX_CORNERS}.")
-    padded = np.zeros((MAX_CORNERS, WIDTH[arg.type]), np.float32)
-    padded[:len(corners)] = corners
-    feedback[name].write(padded.tobytes())
+        return texture
+    padded = np.zeros((MAX_CORNERS, WIDTH[arg.type]), np.int32 if arg.type == "int" else np.float32)
+    padded[:len(given)] = np.reshape(given, (len(given), -1))
+    uniform = cast(moderngl.Uniform, feedback[name])
+    uniform.write(padded[:uniform.array_length].tobytes())
+    return None
 
 
 def mesh_texture(ctx: moderngl.Context, triangles: np.ndarray) -> moderngl.Texture:

@@ -42,13 +42,15 @@ def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[flo
         target.clear()
         ctx.enable_only(moderngl.DEPTH_TEST)
         for i in surfaces:
-            stage.paint_surface(i, " values")
+            stage.paint_surface(i, "values")
         ctx.enable_only(moderngl.NOTHING)
         radiance, position = (np.frombuffer(target.read(components=4, attachment=i, dtype="f4"), "f4") for i in (0, 1))
         before.use()
-        for thing in (target, *parts):
-            thing.release()
+        target.release()
+        for part in parts:
+            part.release()
     if radiance[3] < 0.5:
         return None
     name = stage.scene.surfaces[int(radiance[3]) - 1].name
-    return Pick(name, tuple(map(float, radiance[:3])), tuple(map(float, position[:3])), int(position[3]))
+    (r, g, b, _), (x, y, z, face) = radiance.tolist(), position.tolist()
+    return Pick(name, (r, g, b), (x, y, z), int(face))

@@ -1,6 +1,7 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
+from typing import Any, cast
 
 import moderngl
 import numpy as np
@@ -16,6 +17,7 @@ from app.shader import Assembled
 from app.theme import Theme, colour, rgb
 
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
+OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
@@ -36,9 +38,9 @@ def give(use: moderngl.Program, **values) -> None:
     for name, value in values.items():
         if name not in use:
             continue
-        uniform = use[name]
+        uniform = cast(Any, use[name])
         if isinstance(value, bytes):
-            uniform.write(value[:4 * uniform.dimension * uniform.array_length] if uniform.array_length > 1 else value)
+            uniform.write(value[:uniform.element_size * uniform.array_length])
         else:
             uniform.value = value
 
@@ -98,7 +100,8 @@ class Stage:
         for mark in self.scene.marks:
             self.keep(mark.name, "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 
-    def keep(self, name: str, layout: str, attribute: str, corners: np.ndarray, indices: np.ndarray | None = None) -> None:
+    def keep(self, name: str, layout: str, attribute: str, corners: np.ndarray,
+             indices: np.ndarray | None = None) -> None:
         self.geometry[name] = ((self.ctx.buffer(corners), layout, attribute),
                                None if indices is None else self.ctx.buffer(indices))
 
@@ -111,8 +114,9 @@ class Stage:
         return self.arrays[use, name]
 
     # --- drawing ---------------------------------------------------------------------------------------------------
-    def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme, fine: bool = True) -> moderngl.Texture:
-        """The picture at these values, with soft edges when `fine`; the texture stays the same until the size changes."""
+    def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme,
+             fine: bool = True) -> moderngl.Texture:
+        """The picture at these values, with soft edges when `fine`; the texture is the same until the size changes."""
         with self.ctx:
             self.resize(size)
             target = self.fine_target() if fine and self.ctx.max_samples >= SAMPLES else self.shown
@@ -160,7 +164,7 @@ class Stage:
         for i in solid:
             self.paint_surface(i)
         ctx.enable(moderngl.BLEND)
-        ctx.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        ctx.blend_func = OVER
         if "dots" in self.programs:
             self.array("dots").render(moderngl.POINTS, self.dot_count(values))
         for i, mark in enumerate(self.scene.marks):
@@ -185,8 +189,9 @@ class Stage:
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
         steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
-        give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour), dash=LINES.index(mark.line),
-             tip=TIPS.index(mark.tip), line_width=width, tip_size=TIP_SIZE[mark.tip] * width)
+        give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour),
+             dash=LINES.index(mark.line), tip=TIPS.index(mark.tip), line_width=width,
+             tip_size=TIP_SIZE[mark.tip] * width)
         self.array("mark", mark.name).render()
 
     def dot_count(self, values: dict) -> int:
@@ -205,7 +210,7 @@ class Stage:
     # --- answers ---------------------------------------------------------------------------------------------------
     def probes(self, values: dict) -> np.ndarray:
         """`probe(i)` for every probe the labels and handles name: (n, 4)."""
-        wanted = [thing.probe for thing in (*self.scene.labels, *self.scene.handles)]
+        wanted = [*(label.probe for label in self.scene.labels), *(handle.probe for handle in self.scene.handles)]
         if not wanted:
             return np.zeros((0, 4))
         return self.transform("probe", max(wanted) + 1, **on_gpu(values))

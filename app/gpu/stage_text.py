@@ -72,7 +72,7 @@ def pen(segments: int, tip: bool) -> tuple[np.ndarray, np.ndarray]:
     t = np.linspace(0, 1, segments + 1)
     corners = [np.stack([np.repeat(t, 2), np.tile([-1.0, 1.0], len(t)), np.zeros(2 * len(t))], -1)]
     i = np.arange(segments, dtype=np.int32)[:, None] * 2
-    indices = [(i + [0, 1, 3, 0, 3, 2]).reshape(-1)]
+    indices = [(i + np.array([0, 1, 3, 0, 3, 2])).reshape(-1)]
     if tip:
         corners.append(np.array([[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]], float))
         indices.append(2 * len(t) + np.array([0, 1, 2, 0, 2, 3]))
