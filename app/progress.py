@@ -77,6 +77,7 @@ class Progress:
         """Merge with what another window has written, and replace the file; False when it could not be kept."""
         from filelock import FileLock, Timeout
 
+        self.message = ""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             with FileLock(self.folder / "progress.lock", timeout=PATIENCE):

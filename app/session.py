@@ -40,6 +40,7 @@ class Session:
         """Begins at the state string `start`, else where the course was left, else at its first step."""
         self.folder, self.progress = folder, progress
         self.message = ""  # one sentence for the person
+        self.told = progress.message if progress else ""  # of the progress file
         self.frozen = False  # the picture waits for the guess: values stay as they are
         self.revision = 0  # grows when anything changes that a picture shows
         self.visits: dict[str, Visit] = {}
@@ -122,8 +123,9 @@ class Session:
         """Remember this step on disk: when it is left, when a truth is told, and now and then."""
         if self.progress:
             self.progress.put_state(self.current.id, self.state)
-            if not self.progress.save():
-                self.message = self.progress.message
+            self.progress.save()
+            if self.progress.message not in ("", self.told):  # once is enough
+                self.message = self.told = self.progress.message
 
     def outline(self) -> tuple[Entry, ...]:
         entries = []

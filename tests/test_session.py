@@ -255,6 +255,9 @@ def test_a_course_goes_on_when_nothing_can_be_kept(folder, tmp_path):
     session.next()
     assert "the course goes on unsaved" in session.message
     assert session.current.id == "small/shape"
+    session.message = ""
+    session.previous()
+    assert session.message == ""  # said once
 
 
 # --- search ----------------------------------------------------------------------------------------------------------
