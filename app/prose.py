@@ -1,6 +1,6 @@
 """The prose of lessons: Markdown with $...$ and $$...$$, links that set values, our macro \\colour{l}{...}. Pure text.
 
-The macro names a word of the grammar; a front end gets `\\textcolor{#RRGGBB}{...}`, which MicroTeX and KaTeX both know.
+The macro names a word of the grammar; a front end gets the colour in the words of its own LaTeX.
 """
 
 import re
@@ -14,6 +14,7 @@ FORMULA = re.compile(r"(?P<code>`[^`]*`)|(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$"
 LINK = re.compile(r"(?<!!)\[(?P<words>[^\]\n]+(?:\n[^\]\n]+)?)\]\((?P<target>[^()\s]+(?:\([^()\s]*\))?)\)")
 STATE = re.compile(r"\?|[a-z]\w*/[a-z]\w*(\?|$)")  # ?tilt=80, or solid_angle/patch?tilt=80
 MACRO = re.compile(r"\\colou?r\s*\{(?P<name>[^{}]*)\}\s*\{")
+MICROTEX, KATEX = r"\fgcolor", r"\textcolor"  # MicroTeX's own \textcolor sets letters upright, KaTeX has no \fgcolor
 NAMES = (*GRAMMAR, "exact", "quiet", "g")
 PAIRS = re.compile(r"\\(left|right|begin|end)\b(?:\s*\{(\w+\*?)\})?")
 
@@ -35,14 +36,15 @@ class Link:
         return bool(STATE.match(self.target))
 
 
-def for_screen(prose: str, theme: Theme) -> str:
+def for_screen(prose: str, theme: Theme, macro: str = MICROTEX) -> str:
     """The prose with the grammar's colours of a theme in its formulas; all else as it is."""
-    return FORMULA.sub(lambda match: match[0] if match["code"] else coloured(match[0], theme), prose.strip())
+    return FORMULA.sub(lambda match: match[0] if match["code"] else coloured(match[0], theme, macro),
+                       prose.strip())
 
 
-def coloured(formula: str, theme: Theme) -> str:
-    """One formula with its \\colour{name}{...} as \\textcolor{#RRGGBB}{...}."""
-    return MACRO.sub(lambda match: rf"\textcolor{{{hex_colour(match['name'], theme)}}}{{", formula)
+def coloured(formula: str, theme: Theme, macro: str = MICROTEX) -> str:
+    """One formula with its \\colour{name}{...} as \\fgcolor{#RRGGBB}{...}."""
+    return MACRO.sub(lambda match: f"{macro}{{{hex_colour(match['name'], theme)}}}{{", formula)
 
 
 def hex_colour(name: Colour | str, theme: Theme) -> str:

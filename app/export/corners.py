@@ -29,7 +29,7 @@ def entries(scene: Scene) -> list[Entry]:
             if mark.label and len(mark.label) <= 2 and mark.label != mark.name]
 
 
-def legend(picture: Image.Image, shown: list[Entry], ink: Ink, taken: list[Box]) -> list[Box]:
+def legend(picture: Image.Image, shown: list[Entry], clutter: Clutter, ink: Ink, taken: list[Box]) -> list[Box]:
     """Draws the legend into the emptiest corner; returns the box it takes."""
     if not shown:
         return []
@@ -40,7 +40,6 @@ def legend(picture: Image.Image, shown: list[Entry], ink: Ink, taken: list[Box])
     wide, high = swatch + 3 * gap + max(length(line, size) for line in lines), row * len(lines) + gap
     far_x, far_y = picture.width - wide - gap, picture.height - high - gap
     corners = [(x, y, x + wide, y + high) for x, y in ((far_x, gap), (gap, gap), (gap, far_y), (far_x, far_y))]
-    clutter = Clutter(picture, ink.colour("background"))
     box = min(corners, key=lambda c: clutter(c) + 100 * sum(share(c, other) for other in taken))
     ground(picture, box, ink)
     draw = ImageDraw.Draw(picture)
@@ -78,9 +77,10 @@ def notice(picture: Image.Image, faults: Faults, ink: Ink) -> list[Box]:
 
 def ground(picture: Image.Image, box: Box, ink: Ink, rim=None, opacity: float = 0.78) -> None:
     """A soft ground in the panel's colour, so that words read on anything."""
-    whole = tuple(round(x) for x in box)
-    patch = Image.new("RGBA", picture.size, (0, 0, 0, 0))
+    x, y, right, bottom = (round(side) for side in box)
+    patch = Image.new("RGBA", (right - x, bottom - y), (0, 0, 0, 0))
     outline = (*bytes3(rim), 255) if rim else None
-    ImageDraw.Draw(patch).rounded_rectangle(whole, round(0.4 * ink.small), (*ink.colour("panel"), round(255 * opacity)),
-                                            outline, max(1, round(ink.scale)))
-    picture.paste(patch, (0, 0), patch)
+    ImageDraw.Draw(patch).rounded_rectangle(
+        (0, 0, patch.width - 1, patch.height - 1), round(0.4 * ink.small), (*ink.colour("panel"), round(255 * opacity)),
+        outline, max(1, round(ink.scale)))
+    picture.paste(patch, (x, y), patch)

@@ -11,18 +11,20 @@ from PIL import Image
 from app import prediction
 from app.catalog import Loaded, LoadedStep, chapters
 from app.export import target
+from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
 from app.export.still import data, known, plotted, png, shot, version
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers
-from app.state import View, defaults, parse_query, write
+from app.state import defaults, parse_query, write
 from app.theme import THEMES, Theme
 
 FOLDER, VARIABLE = "halfway-lessons", "HALFWAY_LESSONS"
 PICTURES = "pictures"
 SCENE, PLOT, SMALL = (1260, 840), (840, 840), (420, 280)
+LARGER = 1.5  # words on a scene: on the page it is shown at half its size
 Advance = Callable[[str], None]
 
 
@@ -85,7 +87,9 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
 
     def scene() -> None:
         shown.state = write(found, start)
-        shown.scene = keep(shot(found, start, None, sized(SCENE), theme), shown.state, "scene")
+        size = sized(SCENE)
+        ink = Ink(theme, (round(LARGER * size[0]), round(LARGER * size[1])))
+        shown.scene = keep(shot(found, start, None, size, theme, ink), shown.state, "scene")
 
     def plot() -> None:
         shown.plot = keep(plotted(found, start, sized(PLOT), theme), shown.state, "plot")
@@ -100,8 +104,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
             there = defaults(found) | changed
             there |= data(found, there)
             state = write(found, there, view)
-            file = keep(shot(found, there, view or View.of(found.step.scene.camera), sized(SMALL), theme, small=True),
-                        state, "try", str(i + 1))
+            file = keep(shot(found, there, view, sized(SMALL), theme, small=True), state, "try", str(i + 1))
             shown.tries.append(Try(link.target, link.words, state, file))
 
     start: dict = {}

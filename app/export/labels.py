@@ -11,6 +11,7 @@ from app.export.ink import Ink, length, write
 from app.gpu.stage import Stage
 
 Box = tuple[float, float, float, float]  # left, top, right, bottom
+COARSE = 2  # px that clutter is looked at in
 AROUND = [(math.cos(a), math.sin(a)) for a in np.arange(16) * math.pi / 8]
 
 
@@ -33,17 +34,17 @@ class Clutter:
     """How much there is to see in a box of a picture: contrasts, and what is not background; 0 on the background."""
 
     def __init__(self, picture: Image.Image, background: tuple[int, int, int]):
-        grey = np.asarray(picture.convert("L"), np.float32)
+        grey = np.asarray(picture.convert("L").reduce(COARSE), np.float32)
         contrast = 0.12 * np.abs(grey - np.dot(background, (0.299, 0.587, 0.114)))
         contrast[:, 1:] += np.abs(np.diff(grey, axis=1))
         contrast[1:] += np.abs(np.diff(grey, axis=0))
         self.sums = np.zeros((grey.shape[0] + 1, grey.shape[1] + 1))
-        self.sums[1:, 1:] = contrast.cumsum(0, dtype=float).cumsum(1)
+        np.cumsum(contrast.cumsum(0), axis=1, out=self.sums[1:, 1:])
 
     def __call__(self, box: Box) -> float:
         height, width = (n - 1 for n in self.sums.shape)
-        x0, x1 = (min(max(round(x), 0), width) for x in (box[0], box[2]))
-        y0, y1 = (min(max(round(y), 0), height) for y in (box[1], box[3]))
+        x0, x1 = (min(max(round(x / COARSE), 0), width) for x in (box[0], box[2]))
+        y0, y1 = (min(max(round(y / COARSE), 0), height) for y in (box[1], box[3]))
         total = self.sums[y1, x1] - self.sums[y0, x1] - self.sums[y1, x0] + self.sums[y0, x0]
         return total / max(1, (x1 - x0) * (y1 - y0))
 
@@ -88,9 +89,9 @@ def ways(before: tuple[float, float], after: tuple[float, float], at_end: bool) 
     return ((x, y),) if at_end else ((y, -x), (-y, x))
 
 
-def place(found: list[Word], picture: Image.Image, ink: Ink, taken: list[Box]) -> list[Placed]:
-    """A box for each word, the fixed ones first: inside the picture, off the taken boxes and off each other."""
-    clutter, size = Clutter(picture, ink.colour("background")), ink.text
+def place(found: list[Word], clutter: Clutter, ink: Ink, frame: tuple[int, int], taken: list[Box]) -> list[Placed]:
+    """A box for each word, the fixed ones first: inside the frame, off the taken boxes and off each other."""
+    size = ink.text
     placed: list[Placed] = []
     points = [(w.at[0] - 4, w.at[1] - 4, w.at[0] + 4, w.at[1] + 4) for w in found]
     for i, word in sorted(enumerate(found), key=lambda pair: bool(pair[1].ways)):
@@ -99,7 +100,7 @@ def place(found: list[Word], picture: Image.Image, ink: Ink, taken: list[Box]) -
         others = [p for j, p in enumerate(points) if j != i]
         best: tuple[float, Box] | None = None
         for first, x, y in candidates(word, wide, high, size):
-            box = inside((x - wide / 2, y - high / 2, x + wide / 2, y + high / 2), picture.size, 0.35 * size)
+            box = inside((x - wide / 2, y - high / 2, x + wide / 2, y + high / 2), frame, 0.35 * size)
             moved = math.hypot((box[0] + box[2]) / 2 - x, (box[1] + box[3]) / 2 - y) / size
             cost = first + 6 * moved + 1.5 * clutter(box)
             cost += sum(400 * share(box, other) for other in rest) + sum(25 * share(box, other) for other in others)

@@ -14,6 +14,7 @@ from app.readouts import raised
 from app.theme import THEMES
 
 Key = tuple[str, bool]  # a formula and whether it stands on a line of its own
+LARGER = 1.13  # than the text: Latin Modern's small letters are lower
 SCHEMES = {"dark": THEMES["dark"], "light": THEMES["light"]}
 
 
@@ -34,7 +35,8 @@ class Formulas:
         words = escape(prose.plain(key[0]))
         if dark is None or light is None:
             return f"<code>{words}</code>"
-        place = f"width:{light.width:.3f}em;height:{light.height:.3f}em;vertical-align:{-light.depth:.3f}em"
+        width, height, depth = (LARGER * part for part in (light.width, light.height, light.depth))
+        place = f"width:{width:.3f}em;height:{height:.3f}em;vertical-align:{-depth:.3f}em"
         return (f'<picture><source media="(prefers-color-scheme: dark)" srcset="{uri(dark.png)}">'
                 f'<img src="{uri(light.png)}" alt="{words}" style="{place}"></picture>')
 
@@ -44,7 +46,7 @@ def uri(png: bytes) -> str:
 
 
 def html(text: str, formulas: Formulas, link: Callable[[str], str] = lambda target: "") -> str:
-    """Markdown as HTML; `link` gives the place on the page a state leads to. Other links are words, nothing is fetched."""
+    """Markdown as HTML; `link` gives the place a state leads to. Other links are words: nothing is fetched."""
     reader = MarkdownIt("commonmark", {"html": False}).disable("image")
     dollarmath_plugin(reader, double_inline=True, allow_labels=False,
                       renderer=lambda latex, how: formulas.html(latex, how["display_mode"]))

@@ -14,7 +14,7 @@ from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
 from app.export.ink import Ink
-from app.export.labels import draw_words, place, words
+from app.export.labels import COARSE, Clutter, draw_words, place, words
 from app.export.strip import strip
 from app.gpu.context import context
 from app.gpu.stage import Stage
@@ -103,18 +103,20 @@ def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, in
         stage.release()
     taken = notice(picture, faults, ink)
     ends = [(w.at[0] - ink.text, w.at[1] - ink.text, w.at[0] + ink.text, w.at[1] + ink.text) for w in said]
-    taken += legend(picture, [] if small else entries(scene), ink, taken + ends)
-    draw_words(picture, place(said, picture, ink, taken), ink)
+    if not small:
+        clutter = Clutter(picture, ink.colour("background"))
+        taken += legend(picture, entries(scene), clutter, ink, taken + ends)
+        draw_words(picture, place(said, clutter, ink, size, taken), ink)
     return picture
 
 
 def framed(stage: Stage, camera: Camera, ink: Ink) -> Camera:
     """The camera, nearer or farther, so that what the stage has just drawn fills the picture; it looks the same way."""
-    seen = (stage.pixels().astype(np.int16) - np.array(ink.colour("background"), np.int16))
+    seen = stage.pixels()[::COARSE, ::COARSE].astype(np.int16) - np.array(ink.colour("background"), np.int16)
     rows, columns = (np.flatnonzero((np.abs(seen).max(-1) > 24).any(axis)) for axis in (1, 0))
     if not len(rows):
         return camera
-    reach = max(abs(2 * edge / n - 1) for found, n in ((columns, stage.size[0]), (rows, stage.size[1]))
+    reach = max(abs(2 * edge / n - 1) for found, n in ((columns, seen.shape[1]), (rows, seen.shape[0]))
                 for edge in (found[0], found[-1] + 1))
     zoom = min(MOST_ZOOM, max(1 / MOST_ZOOM, FILLED / reach))
     if abs(zoom - 1) < 0.03:
@@ -140,7 +142,7 @@ def png(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
     about.add_text("Software", f"Halfway {version()}")
     about.add_text("halfway:state", state)
     out = BytesIO()
-    picture.save(out, "PNG", pnginfo=about, compress_level=4)
+    picture.save(out, "PNG", pnginfo=about, compress_level=3)
     return out.getvalue()
 
 
