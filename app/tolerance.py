@@ -99,10 +99,8 @@ def _mesh_terms(triangles, eye):
 
 
 def _outline_terms(corner_count, size, distance, x, y, **corners):
-    fan, used = _outline_fan(tuple(corners.values()), corner_count, size, distance, x, y)
-    faces = dict(zip(("a", "ab", "ac"), fan, strict=True))
-    value = np.abs(twin("solid_angle_triangle_edges")(**faces)) + moved("solid_angle_triangle_edges", faces)
-    return np.sum(np.where(used, value, 0), -1)
+    faces, used = _outline_fan(tuple(corners.values()), corner_count, size, distance, x, y)
+    return np.sum(np.where(used, np.abs(twin("solid_angle_face")(**faces)) + moved("solid_angle_face", faces), 0), -1)
 
 
 def _ratio_terms(distance, tilt, width):

@@ -70,11 +70,11 @@ def beside(a: dict, rng) -> dict:
 
 
 def nearest_first(a: dict, rng) -> dict:
-    """The sum of the corner and an edge may cancel elsewhere."""
-    size = np.linalg.norm(a["a"], axis=-1)
-    kept = np.min([np.linalg.norm(a["a"] + a[e], axis=-1) for e in ("ab", "ac")], 0) >= size
-    other = {"ab": 2 * a["a"], "ac": a["a"][:, ::-1]}
-    return a | {e: np.where(kept[:, None], a[e], other[e]) for e in other}
+    """Edges shorter than the way to the corner: elsewhere their sum may cancel."""
+    for edge in ("ab", "ac"):
+        size, length = (np.linalg.norm(a[name], axis=-1) for name in ("a", edge))
+        a = a | {edge: f32(a[edge] * np.minimum(1, 0.4 * size / np.maximum(length, 1e-30))[:, None])}
+    return a
 
 
 def shrunk(a: dict, rng) -> dict:
@@ -194,7 +194,7 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
     "solid_angle_polygon_naive": {"corners": f32(AT[0] + 1e-4 * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])),
                                   "corner_count": np.array([4, 3])},
     "solid_angle_outline_naive": {f"corner_{k}": f32(v) for k, v in zip("abcde", TABLE_CORNERS, strict=True)}
-    | {"corner_count": np.array([5]), "size": f32([1e-3]), "distance": f32([1.0]), "x": f32([0.3]), "y": f32([0.2])},
+    | {"corner_count": np.array(5), "size": f32(1e-4), "distance": f32(1.0), "x": f32([0.3, 0.1, -0.2]), "y": f32(0.2)},
     "projected_solid_angle_sphere_naive": {"radius": f32(1.0), "distance": f32([10.0, 100.0]),
                                            "theta": f32([1.55, 1.57])},
     "projected_solid_angle_disk_naive": {"radius": f32(1.0), "height": f32([30.0, 100.0]), "offset": f32(0.5)},

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.solid_angle import _dot, solid_angle_polygon_naive, solid_angle_triangle_edges
+from app.optics.solid_angle import solid_angle_face, solid_angle_polygon_naive
 
 
 def _corners(corners, size, distance, x, y):
@@ -30,29 +30,24 @@ def outline_corner(corner_a, corner_b, corner_c, corner_d, corner_e, corner_coun
 
 
 def solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):
-    """The solid angle of the outline seen from (x, y, 0), by a fan of triangles given by their edges.
+    """The solid angle of the outline seen from (x, y, 0), by a fan of faces from its first corner.
 
-    |sum of solid_angle_triangle_edges(a, size (P_i - P), size (P_i+1 - P))|, P the corner nearest to the eye,
-    a = (size P - (x, y), distance)
+    |sum over i of solid_angle_face(P_1, P_i, P_i+1, (x, y, 0))|, P_i = (size corner_i, distance)
 
     corner_a .. corner_e (..., 2), corner_count (...) 3 .. 5, size, distance, x, y (...) m. Returns (...) sr.
     Errors: none. Source: van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
     """
-    fan, used = _fan((corner_a, corner_b, corner_c, corner_d, corner_e), corner_count, size, distance, x, y)
-    return np.abs(np.sum(np.where(used, solid_angle_triangle_edges(*fan), 0), -1))
+    faces, used = _fan((corner_a, corner_b, corner_c, corner_d, corner_e), corner_count, size, distance, x, y)
+    return np.abs(np.sum(np.where(used, solid_angle_face(**faces), 0), -1))
 
 
 def _fan(around, corner_count, size, distance, x, y):
-    """(..., 3) triangles of the outline from its nearest corner as (a, ab, ac), and which of them are used."""
-    points = _corners(around, size, distance, x, y)
-    count = np.broadcast_to(corner_count, points.shape[:-2])[..., None]
-    away = np.where(np.arange(5) < count, _dot(points, points), np.inf)
-    order = (np.argmin(away, -1)[..., None] + np.arange(5)) % count
-    flat = np.stack(np.broadcast_arrays(*(np.asarray(corner, float) for corner in around)), -2)
-    flat = np.take_along_axis(np.broadcast_to(flat, (*points.shape[:-1], 2)), order[..., None], -2)
-    edges = _corners(np.moveaxis(flat - flat[..., :1, :], -2, 0), size, 0, 0, 0)
-    nearest = np.take_along_axis(points, order[..., :1, None], -2)
-    return (nearest, edges[..., 1:-1, :], edges[..., 2:, :]), np.arange(2, 5) < count
+    """The faces of the fan as arguments of solid_angle_face, (..., 3) of them, and which of them are used."""
+    corners = _corners(around, size, distance, 0, 0)
+    x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+    eye = np.stack([x, y, np.zeros(x.shape)], -1)[..., None, :]
+    faces = {"a": corners[..., :1, :], "b": corners[..., 1:-1, :], "c": corners[..., 2:, :], "eye": eye}
+    return faces, np.arange(2, 5) < np.asarray(corner_count)[..., None]
 
 
 def solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, x, y):

@@ -9,17 +9,12 @@ vec3 outline_corner(vec2 corner_a, vec2 corner_b, vec2 corner_c, vec2 corner_d, 
 }
 
 float solid_angle_outline(vec2 corner_a, vec2 corner_b, vec2 corner_c, vec2 corner_d, vec2 corner_e, int corner_count, float size, float distance, float x, float y) {
-    // Solid Angles: the outline seen from (x, y, 0), a fan of triangles by their edges from the nearest corner
-    vec2 corners[5] = vec2[5](corner_a, corner_b, corner_c, corner_d, corner_e), eye = vec2(x, y);
-    int first = 0;
-    for (int i = 1; i < corner_count; i++) {
-        if (length(size * corners[i] - eye) < length(size * corners[first] - eye)) first = i;
-    }
-    vec3 a = vec3(size * corners[first] - eye, distance);
+    // Solid Angles: the outline seen from (x, y, 0), a fan of faces from its first corner
+    vec2 corners[5] = vec2[5](corner_a, corner_b, corner_c, corner_d, corner_e);
+    vec3 eye = vec3(x, y, 0.0), a = vec3(size * corner_a, distance);
     float sum = 0.0;
     for (int i = 2; i < corner_count; i++) {
-        vec2 ab = corners[(first + i - 1) % corner_count] - corners[first], ac = corners[(first + i) % corner_count] - corners[first];
-        sum += solid_angle_triangle_edges(a, vec3(size * ab, 0.0), vec3(size * ac, 0.0));
+        sum += solid_angle_face(a, vec3(size * corners[i - 1], distance), vec3(size * corners[i], distance), eye);
     }
     return abs(sum);
 }
