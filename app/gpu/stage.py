@@ -91,14 +91,14 @@ class Stage:
     def place(self, triangles: np.ndarray | None) -> None:
         """Put the scene's constant arrays on the GPU; `triangles` (faces, 3, 3) is the step's mesh."""
         self.release_geometry()
-        for surface in self.scene.surfaces:
+        for i, surface in enumerate(self.scene.surfaces):
             if not surface.mesh:
-                self.keep(surface.name, "2f", "stage_st", *grid(surface.cells))
+                self.keep(f"surface {i}", "2f", "stage_st", *grid(surface.cells))
             elif triangles is not None:
-                self.keep(surface.name, "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
+                self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.mesh_texture = self.mesh_texture or mesh_texture(self.ctx, triangles)
-        for mark in self.scene.marks:
-            self.keep(mark.name, "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
+        for i, mark in enumerate(self.scene.marks):
+            self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 
     def keep(self, name: str, layout: str, attribute: str, corners: np.ndarray,
              indices: np.ndarray | None = None) -> None:
@@ -178,13 +178,13 @@ class Stage:
 
     def paint_surface(self, i: int, suffix: str = "") -> None:
         surface = self.scene.surfaces[i]
-        if surface.name not in self.geometry:
+        if f"surface {i}" not in self.geometry:
             return
         name = f"{program_of(surface)} {suffix or i}"
         if self.mesh_texture is not None:
             self.mesh_texture.use(0)
         give(self.programs[name], surface=i, opacity=surface.opacity)
-        self.array(name, surface.name).render()
+        self.array(name, f"surface {i}").render()
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
@@ -192,7 +192,7 @@ class Stage:
         give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour),
              dash=LINES.index(mark.line), tip=TIPS.index(mark.tip), line_width=width,
              tip_size=TIP_SIZE[mark.tip] * width)
-        self.array("mark", mark.name).render()
+        self.array("mark", f"mark {i}").render()
 
     def dot_count(self, values: dict) -> int:
         count = self.scene.dots.count if self.scene.dots else 0
@@ -264,7 +264,7 @@ class Stage:
             alone.release()
         for part in self.target_parts:
             part.release()
-        self.faults_only, self.target_parts, self.fine = {}, [], None
+        self.faults_only, self.target_parts, self.fine, self.size = {}, [], None, (0, 0)
 
     def release(self) -> None:
         """Give back everything but the programs, which the context keeps for the next stage."""
