@@ -17,6 +17,7 @@ FONTS = (  # package, folder, (upright, bold): DejaVu has every sign the course 
 )
 PATTERNS = {"solid": ((0.0, 1.0),), "dashed": ((0.0, 0.4), (0.6, 1.0)), "dotted": tuple((x, x + 0.1) for x in
             (0.0, 0.225, 0.45, 0.675, 0.9)), "dashdot": ((0.0, 0.4), (0.52, 0.62), (0.74, 1.0))}
+LEAST = 20  # px of text at 1280x720: a still is seen from farther away than a window
 FINE = 4  # samples are drawn this much larger and reduced
 
 
@@ -40,14 +41,14 @@ def font(size: int, bold: bool = False) -> ImageFont.FreeTypeFont | ImageFont.Im
 
 @dataclass(frozen=True)
 class Ink:
-    """The sizes and colours of a theme on a picture; made to be seen from afar: text is larger than in a window."""
+    """The sizes and colours of a theme on a picture; a large picture is a small one enlarged, text stays readable."""
 
     theme: Theme
     size: tuple[int, int]  # of the whole picture
 
     @property
     def scale(self) -> float:
-        return max(1.0, 1.25 * min(self.size[0] / 1280, self.size[1] / 720))
+        return max(1.0, max(1.0, LEAST / self.theme.text) * min(self.size[0] / 1280, self.size[1] / 720))
 
     @property
     def text(self) -> int:

@@ -11,6 +11,8 @@ from app.export.ink import Ink, length, write
 from app.gpu.stage import Stage
 
 Box = tuple[float, float, float, float]  # left, top, right, bottom
+GREY = (0.299, 0.587, 0.114)
+UNLIKE = 110  # of 255: colours that far apart can be read on each other
 COARSE = 2  # px that clutter is looked at in
 AROUND = [(math.cos(a), math.sin(a)) for a in np.arange(16) * math.pi / 8]
 
@@ -34,19 +36,23 @@ class Clutter:
     """How much there is to see in a box of a picture: contrasts, and what is not background; 0 on the background."""
 
     def __init__(self, picture: Image.Image, background: tuple[int, int, int]):
-        grey = np.asarray(picture.convert("L").reduce(COARSE), np.float32)
-        contrast = 0.12 * np.abs(grey - np.dot(background, (0.299, 0.587, 0.114)))
+        pixels = np.asarray(picture.reduce(COARSE), np.float32)
+        grey = pixels @ np.array(GREY, np.float32)
+        contrast = 0.12 * np.abs(grey - np.dot(background, GREY))
         contrast[:, 1:] += np.abs(np.diff(grey, axis=1))
         contrast[1:] += np.abs(np.diff(grey, axis=0))
-        self.sums = np.zeros((grey.shape[0] + 1, grey.shape[1] + 1))
-        np.cumsum(contrast.cumsum(0), axis=1, out=self.sums[1:, 1:])
+        self.height, self.width = grey.shape
+        self.sums = np.zeros((self.height + 1, self.width + 1, 4))
+        np.cumsum(np.dstack([contrast, pixels]).cumsum(0), axis=1, out=self.sums[1:, 1:])
 
-    def __call__(self, box: Box) -> float:
-        height, width = (n - 1 for n in self.sums.shape)
-        x0, x1 = (min(max(round(x / COARSE), 0), width) for x in (box[0], box[2]))
-        y0, y1 = (min(max(round(y / COARSE), 0), height) for y in (box[1], box[3]))
+    def __call__(self, box: Box, ink: tuple[int, int, int] | None = None) -> float:
+        """With the colour of what will stand there, it costs to be written on the like."""
+        x0, x1 = (min(max(round(x / COARSE), 0), self.width) for x in (box[0], box[2]))
+        y0, y1 = (min(max(round(y / COARSE), 0), self.height) for y in (box[1], box[3]))
         total = self.sums[y1, x1] - self.sums[y0, x1] - self.sums[y1, x0] + self.sums[y0, x0]
-        return total / max(1, (x1 - x0) * (y1 - y0))
+        mean = total / max(1, (x1 - x0) * (y1 - y0))
+        like = max(0.0, 1 - np.abs(mean[1:] - ink).max() / UNLIKE) if ink else 0.0
+        return float(mean[0]) + 40 * like
 
 
 def words(stage: Stage, values: dict) -> list[Word]:
@@ -96,13 +102,13 @@ def place(found: list[Word], clutter: Clutter, ink: Ink, frame: tuple[int, int],
     points = [(w.at[0] - 4, w.at[1] - 4, w.at[0] + 4, w.at[1] + 4) for w in found]
     for i, word in sorted(enumerate(found), key=lambda pair: bool(pair[1].ways)):
         wide, high = length(word.text, size), 1.05 * size
-        rest = [*taken, *(p.box for p in placed)]
+        rest = [*taken, *(grown(p.box, 0.4 * size) for p in placed)]
         others = [p for j, p in enumerate(points) if j != i]
         best: tuple[float, Box] | None = None
         for first, x, y in candidates(word, wide, high, size):
             box = inside((x - wide / 2, y - high / 2, x + wide / 2, y + high / 2), frame, 0.35 * size)
             moved = math.hypot((box[0] + box[2]) / 2 - x, (box[1] + box[3]) / 2 - y) / size
-            cost = first + 6 * moved + 1.5 * clutter(box)
+            cost = first + 6 * moved + 1.5 * clutter(box, ink.colour(word.colour))
             cost += sum(400 * share(box, other) for other in rest) + sum(25 * share(box, other) for other in others)
             if best is None or cost < best[0]:
                 best = cost, box
@@ -119,7 +125,7 @@ def candidates(word: Word, wide: float, high: float, size: int):
     for ring, gap in enumerate((word.gap, 2 * word.gap, 3.5 * word.gap)):
         for ax, ay in AROUND:
             turn = 1 - max((ax * wx + ay * wy for wx, wy in word.ways), default=0.0)
-            cost = (10 * turn if word.ways else 12) + 5 * ring
+            cost = (10 * turn if word.ways else 12) + 8 * ring
             yield cost, x + ax * (wide / 2 + gap * size), y + ay * (high / 2 + gap * size)
 
 
@@ -127,6 +133,10 @@ def inside(box: Box, size: tuple[int, int], margin: float) -> Box:
     dx = max(0.0, margin - box[0]) - max(0.0, box[2] - size[0] + margin)
     dy = max(0.0, margin - box[1]) - max(0.0, box[3] - size[1] + margin)
     return box[0] + dx, box[1] + dy, box[2] + dx, box[3] + dy
+
+
+def grown(box: Box, by: float) -> Box:
+    return box[0] - by, box[1] - by / 2, box[2] + by, box[3] + by / 2
 
 
 def share(a: Box, b: Box) -> float:

@@ -7,58 +7,69 @@ from app.lesson import Mark
 from app.readouts import Number
 
 LINES = {"estimate": "dotted", "printed": "dashdot"}
-Block = tuple[Number | None, float]  # a number, or the title, and its width
+ROW, HEAD, GAP, EDGE = 2.95, 1.75, 1.4, 1.0  # in sizes of the text
 
 
 def strip(width: int, room: float, title: str, state: str, numbers: list[Number], ink: Ink) -> Image.Image | None:
     """The strip, at most `room` high; without the numbers, or not at all, where the picture has no room for it."""
     for shown in (numbers, []):
-        rows = flow(width, title, shown, ink)
-        height = round((len(rows) * 2.95 + 0.55) * ink.text)
+        one, rows = flow(width, title, shown, ink)
+        height = round((ROW if one else HEAD + ROW * len(rows)) * ink.text + 0.55 * ink.text)
         if height <= room:
-            return drawn(width, height, rows, title, state, ink)
+            return drawn((width, height), one, rows, title, state, ink)
     return None
 
 
-def flow(width: int, title: str, numbers: list[Number], ink: Ink) -> list[list[Block]]:
-    """Blocks in rows: the title first, numbers after it as they fit."""
-    gap, most = 1.4 * ink.text, width - 2 * ink.text
-    head = min(most, max(length(title, round(1.15 * ink.text), True), 11 * ink.text))
-    rows: list[list[Block]] = [[(None, head)]]
+def flow(width: int, title: str, numbers: list[Number], ink: Ink) -> tuple[bool, list[list[Number]]]:
+    """Title and numbers side by side where they fit; else the numbers in rows below the title."""
+    most, gap = width - 2 * EDGE * ink.text, GAP * ink.text
+    wide = {number.label: min(most, block(number, ink)) for number in numbers}
+    head = max(length(title, large(ink), True), 11 * ink.text)
+    if head + sum(w + gap for w in wide.values()) <= most:
+        return True, [numbers]
+    rows: list[list[Number]] = [[]] if numbers else []
     for number in numbers:
-        wide = min(most, max(1.9 * ink.small + length(number.label, ink.small), value_width(number, ink)))
-        if sum(w + gap for _, w in rows[-1]) + wide > most:
+        if rows[-1] and sum(wide[n.label] + gap for n in rows[-1]) + wide[number.label] > most:
             rows.append([])
-        rows[-1].append((number, wide))
-    return rows
+        rows[-1].append(number)
+    return False, rows
+
+
+def large(ink: Ink) -> int:
+    return round(1.15 * ink.text)
+
+
+def block(number: Number, ink: Ink) -> float:
+    """How wide a number stands with its label and its error."""
+    return 1 + max(1.9 * ink.small + length(number.label, ink.small), value_width(number, ink))
 
 
 def value_width(number: Number, ink: Ink) -> float:
     error = length(number.error_text, ink.small) + 0.7 * ink.text if number.error_text else 0.0
-    return length(number.text, round(1.15 * ink.text), True) + error
+    return length(number.text, large(ink), True) + error
 
 
-def drawn(width: int, height: int, rows: list[list[Block]], title: str, state: str, ink: Ink) -> Image.Image:
-    picture = Image.new("RGB", (width, height), ink.colour("panel"))
+def drawn(size: tuple[int, int], one: bool, rows: list[list[Number]], title: str, state: str, ink: Ink) -> Image.Image:
+    picture = Image.new("RGB", size, ink.colour("panel"))
     draw = ImageDraw.Draw(picture)
-    draw.line((0, 0, width, 0), ink.colour("quiet"), max(1, round(ink.scale / 2)))
-    large, gap, edge = round(1.15 * ink.text), 1.4 * ink.text, ink.text
+    draw.line((0, 0, size[0], 0), ink.colour("quiet"), max(1, round(ink.scale / 2)))
+    edge, gap, quiet, front = EDGE * ink.text, GAP * ink.text, ink.colour("quiet"), ink.colour("foreground")
+    most = size[0] - 2 * edge
+    spare = most - sum(block(n, ink) + gap for row in rows for n in row) if one else most
+    words = fitted(title, large(ink), spare, True)
+    end = write(draw, (edge, 1.5 * ink.text), words, large(ink), front, bold=True)
+    at, room = ((edge, 2.9 * ink.text), spare) if one else ((end + gap, 1.5 * ink.text), size[0] - edge - end - gap)
+    write(draw, at, fitted(state, ink.small, room), ink.small, quiet)
     for i, row in enumerate(rows):
-        spare = width - 2 * edge - sum(w for _, w in row) - gap * (len(row) - 1)
-        x = float(edge)
-        upper, lower = (0.55 + 2.95 * i + 0.95) * ink.text, (0.55 + 2.95 * i + 2.35) * ink.text
-        for number, wide in row:
-            if number is None:
-                write(draw, (x, upper), fitted(title, large, wide, True), large, ink.colour("foreground"), bold=True)
-                write(draw, (x, lower), fitted(state, ink.small, wide + max(0.0, spare), False), ink.small,
-                      ink.colour("quiet"))
-                x += max(0.0, spare) if len(row) > 1 else 0.0  # the numbers stand to the right
-            else:
-                sample(picture, (x, upper - 0.36 * ink.small), 1.4 * ink.small, line(number), ink)
-                write(draw, (x + 1.9 * ink.small, upper), fitted(number.label, ink.small, wide - 1.9 * ink.small),
-                      ink.small, ink.colour("quiet"))
-                end = write(draw, (x, lower), number.text, large, ink.colour("foreground"), bold=True)
-                write(draw, (end + 0.7 * ink.text, lower), number.error_text, ink.small, ink.colour("foreground"))
+        x = size[0] - edge - sum(block(n, ink) + gap for n in row) + gap if one else edge
+        upper, lower = ((1.5 + ROW * i + (0 if one else HEAD)) * ink.text + shift for shift in (0.0, 1.4 * ink.text))
+        for number in row:
+            wide = min(most, block(number, ink))
+            sample(picture, (x, upper - 0.36 * ink.small), 1.4 * ink.small, line(number), ink)
+            label = fitted(number.label, ink.small, wide - 1.9 * ink.small)
+            write(draw, (x + 1.9 * ink.small, upper), label, ink.small, quiet)
+            end = write(draw, (x, lower), number.text, large(ink), front, bold=True)
+            write(draw, (end + 0.7 * ink.text, lower), number.error_text, ink.small, front)
             x += wide + gap
     return picture
 
