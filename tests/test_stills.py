@@ -16,7 +16,7 @@ from PIL import Image
 
 from app.catalog import LoadedStep, chapters, step, steps
 from app.export import corners, gallery, ink, labels, target
-from app.export.still import data, framed, png, run, shot, still
+from app.export.still import data, framed, png, reach, run, shot, still
 from app.export.strip import strip
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
@@ -49,8 +49,7 @@ def options(tmp_path: Path, **given) -> SimpleNamespace:
 def test_a_scene_is_not_empty_and_every_word_is_inside_and_apart(found, ctx):
     values, size, pen = values_of(found), (640, 420), ink.Ink(DARK, (640, 420))
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
-    stage.draw(values, found.step.scene.camera, size, DARK)
-    stage.draw(values, framed(stage, found.step.scene.camera, pen), size, DARK)
+    stage.draw(values, framed(stage, values, size, DARK), size, DARK)
     picture, said = Image.fromarray(np.ascontiguousarray(stage.pixels())), labels.words(stage, values)
     stage.release()
     assert np.count_nonzero(np.ptp(np.asarray(picture), axis=2) > 20) > 500  # colours, not grey on grey
@@ -102,6 +101,15 @@ def test_a_view_of_the_users_own_is_not_framed_anew(ctx):
     pictures = [np.asarray(shot(PATCH, defaults(PATCH), view, SIZE, DARK, small=True)) for view in (near, far)]
     lit = [np.count_nonzero(picture.max(-1) > 60) for picture in pictures]
     assert lit[0] > 3 * lit[1]
+
+
+@pytest.mark.parametrize("state", ["", "?distance=4", "?distance=0.5&width=2", "?distance=5&width=0.05"])
+def test_a_scene_fills_its_picture_and_is_not_cut_off(state, ctx):
+    values = parse(PATCH.id + state).values
+    stage = Stage(ctx, Source(PATCH.step.scene, PATCH.file_name, PATCH.glsl_line))
+    stage.draw(values, framed(stage, values, (420, 280), DARK), (420, 280), DARK)
+    assert 0.6 < reach(stage, DARK) < 0.97
+    stage.release()
 
 
 def test_a_words_box_is_beside_what_is_taken():

@@ -13,7 +13,7 @@ from PIL.PngImagePlugin import PngInfo
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
-from app.export.ink import Ink
+from app.export.ink import Ink, bytes3
 from app.export.labels import COARSE, Clutter, draw_words, place, words
 from app.export.strip import strip
 from app.gpu.context import context
@@ -23,11 +23,11 @@ from app.lesson import Camera
 from app.problem import Usage, near
 from app.readouts import numbers
 from app.state import View, parse, parse_set, write
-from app.theme import THEMES, Theme
+from app.theme import THEMES, Theme, rgb
 
 Part = Literal["scene", "plot", "both"]
 PARTS: tuple[Part, ...] = ("scene", "plot", "both")
-FILLED, MOST_ZOOM = 0.86, 1.7  # how much of the picture a scene fills, and what is done for that
+FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene fills, and what is done for that
 
 
 def run(options) -> int:
@@ -91,12 +91,10 @@ def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, in
     stage = Stage(context(), Source(scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:
         if view in (None, View.of(scene.camera)):
-            stage.draw(values, scene.camera, size, theme)
-            camera = framed(stage, scene.camera, ink)
+            camera = framed(stage, values, size, theme)
         else:
             camera = view.camera(scene.camera)
-        if camera != scene.camera or not stage.size[0]:
-            stage.draw(values, camera, size, theme)
+        stage.draw(values, camera, size, theme)
         picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
         said = [] if small else words(stage, values)
     finally:
@@ -110,19 +108,29 @@ def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, in
     return picture
 
 
-def framed(stage: Stage, camera: Camera, ink: Ink) -> Camera:
-    """The camera, nearer or farther, so that what the stage has just drawn fills the picture; it looks the same way."""
-    seen = stage.pixels()[::COARSE, ::COARSE].astype(np.int16) - np.array(ink.colour("background"), np.int16)
-    rows, columns = (np.flatnonzero((np.abs(seen).max(-1) > 24).any(axis)) for axis in (1, 0))
-    if not len(rows):
-        return camera
-    reach = max(abs(2 * edge / n - 1) for found, n in ((columns, seen.shape[1]), (rows, seen.shape[0]))
-                for edge in (found[0], found[-1] + 1))
-    zoom = min(MOST_ZOOM, max(1 / MOST_ZOOM, FILLED / reach))
-    if abs(zoom - 1) < 0.03:
-        return camera
-    half = math.radians(camera.field_of_view) / 2
-    return replace(camera, field_of_view=math.degrees(2 * math.atan(math.tan(half) / zoom)))
+def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> Camera:
+    """The scene's camera with the lens that lets it fill a picture of this size; tried out on a smaller one."""
+    camera, zoom = stage.scene.camera, 1.0
+    tangent = math.tan(math.radians(camera.field_of_view) / 2)
+    for _ in range(3):
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
+        far = reach(stage, theme)
+        wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
+        if far >= CUT_OFF:
+            wanted = zoom / MOST_ZOOM  # how much more there is cannot be seen yet
+        if abs(wanted / zoom - 1) < 0.03:
+            break
+        zoom = wanted
+        camera = replace(camera, field_of_view=math.degrees(2 * math.atan(tangent / zoom)))
+    return camera
+
+
+def reach(stage: Stage, theme: Theme) -> float:
+    """How far from its middle the stage's last picture is drawn on: 1 at an edge."""
+    background = np.array(bytes3(rgb(theme.background)), np.int16)
+    seen = np.abs(stage.pixels().astype(np.int16) - background).max(-1) > 24
+    ends = [(found, len(line)) for line in (seen.any(0), seen.any(1)) if len(found := np.flatnonzero(line))]
+    return max((abs(2 * edge / n - 1) for found, n in ends for edge in (found[0], found[-1] + 1)), default=FILLED)
 
 
 def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme) -> Image.Image:
