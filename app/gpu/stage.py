@@ -18,6 +18,7 @@ from app.theme import Theme, colour, rgb
 
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
 TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
@@ -81,7 +82,7 @@ class Stage:
     def compile(self, names: tuple[str, ...] | None) -> None:
         texts = programs(self.scene, self.source.file, self.source.first, names=names)
         for name, (vertex, fragment) in texts.items():
-            if fragment and name in ("surface", "mesh"):
+            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     self.programs[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment))
             else:
@@ -181,6 +182,7 @@ class Stage:
         if f"surface {i}" not in self.geometry:
             return
         name = f"{program_of(surface)} {suffix or i}"
+        name = name if name in self.programs else program_of(surface)
         if self.mesh_texture is not None:
             self.mesh_texture.use(0)
         give(self.programs[name], surface=i, opacity=surface.opacity)

@@ -1,0 +1,213 @@
+"""Every chapter, by being there: it loads, its scenes run, its steps are whole, its predictions have an answer."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from app import catalog, prediction, prose
+from app.export.still import data
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
+from app.prediction import truth
+from app.readouts import numbers
+from app.state import defaults, parse_query
+from app.terms import evaluate
+from app.theme import THEMES
+from app.validation import validate
+
+STEPS = catalog.steps()
+SLIDES = [line for line in (catalog.LESSONS.parent / "tests/reference/deck_slides.txt").read_text("utf-8").splitlines()
+          if line and not line.startswith("#")]
+SIZE = (96, 96)
+every_step = pytest.mark.parametrize("found", STEPS, ids=lambda found: found.id)
+
+
+def sentences(text: str) -> int:
+    """Full stops, question marks and colons do not count inside a formula or a number."""
+    return sum(text.count(end) for end in (". ", "? ", "! ")) + 1
+
+
+@pytest.mark.parametrize("loaded", catalog.chapters(), ids=lambda loaded: loaded.id)
+def test_a_chapter_is_sound(loaded):
+    assert validate(loaded, SLIDES) == []
+    assert loaded.intro and loaded.chapter.title and sentences(loaded.chapter.idea) == 1 and loaded.chapter.exercises
+
+
+@every_step
+def test_a_step_has_all_of_a_step(found):
+    """teaching.md, section 1."""
+    step, values = found.step, found.values
+    assert step.title and step.idea.endswith(".") and sentences(step.idea) == 1
+    assert step.slides and step.sources and step.honesty and step.notes.strip() and 1 <= step.minutes <= 15
+    controls = [name for name, value in values.items() if not value.more]
+    assert 1 <= len(controls) <= 4, f"{len(controls)} controls are in view: {controls}"
+    assert 2 <= len(step.readouts) <= 4
+    assert 60 <= prose.words(step.prose) <= 150, f"{prose.words(step.prose)} words of prose"
+    assert step.scene.surfaces and (step.scene.handles or not values), "nothing to take in the hand"
+    assert any(link.sets_values for link in prose.links(step.prose)), "no button in the prose"
+    assert step.ask.question.rstrip().endswith("?") and step.ask.told
+
+
+@every_step
+def test_a_links_state_is_a_state_of_the_step(found):
+    for link in prose.links(found.step.prose):
+        if link.sets_values:
+            values, _ = parse_query(link.target.lstrip("?"), found)
+            assert set(values) <= set(found.values)
+            assert values != defaults(found), f"[{link.words}] changes nothing"
+
+
+@every_step
+def test_a_prediction_has_one_answer(found):
+    ask = found.step.ask
+    values = prediction.truth_values(found)
+    answer = truth(found, **data(found, values))
+    assert math.isfinite(answer)
+    if ask.choices:
+        right = [choice.text for choice in ask.choices if choice.low <= answer <= choice.high]
+        assert len(right) == 1, f"the truth is {answer}: {right} are right"
+    else:
+        assert ask.low < answer < ask.high, f"{answer} is outside the slider"
+        assert ask.scale == "linear" or ask.low > 0
+
+
+@every_step
+def test_an_error_is_against_an_exact_number(found):
+    labels = {r.label: r for r in found.step.readouts}
+    assert len(labels) == len(found.step.readouts)
+    for readout in found.step.readouts:
+        if readout.against:
+            exact = labels[readout.against]
+            assert exact.role == "exact" and exact.precision == "float64" and readout.role in ("estimate", "printed")
+
+
+@every_step
+def test_every_number_of_a_step_is_a_number(found, ctx):
+    for values in states(found, 6):
+        for number in numbers(found.step, {**values, **data(found, values)}, ctx):
+            assert math.isfinite(number.value) and number.text, f"{number.label} at {values}"
+
+
+def states(found, mixed: int):
+    """The defaults, every value at each end of its slider alone, and some mixed corners, the same every time."""
+    first = defaults(found)
+    yield first
+    ends = {name: (low_high(found, name, "low"), low_high(found, name, "high")) for name in first}
+    for name, both in ends.items():
+        for end in both:
+            yield first | {name: end}
+    corners = list(itertools.islice(itertools.product((0, 1), repeat=len(ends)), 4096))
+    for pick in np.random.default_rng(sum(map(ord, found.id))).permutation(len(corners))[:mixed]:
+        yield {name: ends[name][side] for name, side in zip(ends, corners[pick], strict=True)}
+
+
+def low_high(found, name: str, end: str):
+    spec = found.values[name]
+    number = getattr(spec, end)
+    number = int(number) if spec.quantity.kind == "int" else float(number)
+    return (number,) * spec.quantity.width if spec.quantity.width > 1 else number
+
+
+@every_step
+def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
+    """NaN, Inf and negative radiance are shown in class, so a lesson may have none where it does not mean to."""
+    stage, mesh = None, None
+    try:
+        for values in states(found, 12):
+            more = data(found, values)
+            if stage is None:
+                stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), more.get("triangles"))
+            elif more.get("triangles") is not mesh:
+                stage.place(more.get("triangles"))
+            mesh = more.get("triangles")
+            stage.draw(values, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
+            assert not stage.faults(), f"{stage.faults()} at {values}"
+            assert np.all(np.isfinite(stage.probes(values)))
+            assert all(np.all(np.isfinite(point)) for point in stage.anchors(values).values())
+    finally:
+        if stage:
+            stage.release()
+
+
+@every_step
+@pytest.mark.parametrize("theme", THEMES)
+def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
+    values = defaults(found)
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), data(found, values).get("triangles"))
+    stage.draw(values, found.step.scene.camera, (192, 192), THEMES[theme])
+    pixels = stage.pixels().reshape(-1, 3)
+    stage.release()
+    colours, counts = np.unique(pixels // 16, axis=0, return_counts=True)
+    assert counts.max() < 0.9 * counts.sum(), "the picture is nearly empty"
+    assert len(colours) > 20, "the picture is nearly of one colour"
+
+
+QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
+    ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
+     {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
+    ("solid_angle/cone", "About 185 000", 185_000, 500, "cones_in_the_sphere", {"half_angle": math.radians(0.2666)}),
+    ("solid_angle/cone", "6.8e-5 sr", 6.8e-5, 5e-7, "solid_angle_cone", {"half_angle": math.radians(0.2666)}),
+    ("solid_angle/cone", "of 12.57", 12.57, 0.005, "solid_angle_cone", {"half_angle": math.pi}),
+    ("solid_angle/angle", "4π ≈ 12.57", 12.57, 0.005, "solid_angle_cone", {"half_angle": math.pi}),
+    ("solid_angle/angle", "[one steradian](?half_angle=32.77)", 1.0, 5e-4, "solid_angle_cone",
+     {"half_angle": math.radians(32.77)}),
+    ("solid_angle/mesh", "10.3 sr", 10.3, 0.05, "sphere_less_cone", {"half_angle": math.radians(50)}),
+    ("solid_angle/mesh", "= 2.24", 2.24, 0.005, "solid_angle_cone", {"half_angle": math.radians(50)}),
+    ("solid_angle/projected", "It takes 0.33 sr", 0.33, 0.005, "solid_angle_patch",
+     {"distance": 2.0, "tilt": 0.0, "width": 1.2}),
+    ("solid_angle/projected", "About 0.02 sr", 0.02, 0.005, "projected_solid_angle_patch",
+     {"theta": math.pi / 2, "distance": 2.0, "tilt": 0.0, "width": 1.2}),
+]
+
+
+@pytest.mark.parametrize("quoted", QUOTED, ids=lambda quoted: f"{quoted[0]}: {quoted[1]}")
+def test_a_number_in_the_words_is_the_twins(quoted):
+    id, words, value, digits, function, args = quoted
+    step = catalog.step(id).step
+    text = " ".join((step.prose, step.ask.question, step.ask.told, step.notes, step.honesty))
+    assert words in " ".join(text.split()), f"{id} no longer says {words!r}: change the list too"
+    from app.optics import twin
+
+    assert abs(float(twin(function)(**args)) - value) <= digits
+
+
+def test_the_words_about_sums_and_steps_are_true():
+    from app.optics import twin
+
+    cells = twin("solid_angle_cells")
+    notes = " ".join(catalog.step("solid_angle/differential").step.notes.split())
+    assert f"{100 * (cells(4) / (4 * math.pi) - 1):.1f} % too large" in notes
+    assert cells(8) / cells(4) < 1 and (cells(4) - 4 * math.pi) / (cells(8) - 4 * math.pi) == pytest.approx(4, rel=0.03)
+    small, half = (twin("solid_angle_cone")(np.array([0.2, 0.1])))
+    assert small / half == pytest.approx(4, rel=0.01), "half the angle, a quarter of the directions"
+    near = {"distance": 0.5, "tilt": 0.0, "width": 2.0}
+    assert twin("solid_angle_patch_small")(**near) / twin("solid_angle_patch")(**near) - 1 > 0.5
+
+
+SECOND = [  # an exact readout and a second way to it: counting, the float32 twin, or the other formula
+    ("solid_angle/patch", "solid_angle_patch", "solid_angle_patch_counted", {"samples": 60000}, 3e-3),
+    ("solid_angle/cone", "solid_angle_cone", "solid_angle_cone_naive", {}, 1e-6),
+    ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
+]
+
+
+@pytest.mark.parametrize("second", SECOND, ids=lambda second: f"{second[1]} = {second[2]}")
+def test_an_exact_number_by_a_second_method(second):
+    from app.lesson import Term
+
+    id, exact, other, changes, close = second
+    values = defaults(catalog.step(id)) | changes
+    assert float(evaluate(Term(other), values)) == pytest.approx(float(evaluate(Term(exact), values)), rel=close)
+
+
+@every_step
+def test_float64_and_the_gpu_agree(found, ctx):
+    """What the desktop shows and what the page will: the exact readouts in both arithmetics, to seven digits or so."""
+    values = defaults(found)
+    values |= data(found, values)
+    for readout in found.step.readouts:
+        if readout.role == "exact":
+            desktop, page = (float(evaluate(readout.term, values, name, ctx)) for name in ("float64", "float32"))
+            assert page == pytest.approx(desktop, rel=2e-6, abs=2e-6)
