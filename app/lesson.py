@@ -1,6 +1,7 @@
 """What a chapter is made of: frozen data, no behaviour. A scene placed here can be played by any stage.
 
-What depends on a value lives in GLSL (the scene's functions) or is the name of a twin in `optics`; all else is constant.
+What depends on a value lives in GLSL (the scene's functions) or is the name of a twin in `optics`; all else is
+constant.
 """
 
 from dataclasses import dataclass, field
@@ -37,7 +38,8 @@ class Term:
 @dataclass(frozen=True)
 class Surface:
     """A grid of cells that `vec3 surface_point(int surface, vec2 s)` places, or the step's mesh placed by
-    `vec3 mesh_point(int surface, vec3 p)`; `vec3 shade(Surface s)` colours it. Its number is its place in the scene."""
+    `vec3 mesh_point(int surface, vec3 p)`; `vec3 shade(Surface s)` colours it. Its number is its place in the
+    scene."""
 
     name: str
     cells: tuple[int, int] = (48, 24)
@@ -47,7 +49,7 @@ class Surface:
 
 @dataclass(frozen=True)
 class Mark:
-    """A line that `vec3 mark_point(int mark, float t)` places, t from 0 to 1, drawn in the grammar of colour and line."""
+    """A line that `vec3 mark_point(int mark, float t)` places, t from 0 to 1, in the grammar of colour and line."""
 
     name: str
     colour: Colour = "exact"
@@ -103,7 +105,7 @@ class Scene:
     labels: tuple[Label, ...] = ()
     handles: tuple[Handle, ...] = ()
     camera: Camera = Camera()
-    meshes: tuple[str, ...] = ()  # built-in meshes of `meshes`, chosen by the value `shape`; a user's file replaces them
+    meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
 
 

@@ -905,14 +905,18 @@ def solid_angle_triangle(a, b, c):
     below = length_a * length_b * length_c + dot(a, b) * length_c + dot(a, c) * length_b + dot(b, c) * length_a
     return 2 * np.arctan2(volume, below)
 '''
-GLSL_STUB = """float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
+GLSL_STUB = """#include "core/angle.glsl" // arctan2(y, x); the built-in atan errs by up to 2e-5
+
+float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
     return 0.0;
 }
 """
-GLSL_SOLUTION = """float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
+GLSL_SOLUTION = """#include "core/angle.glsl"
+
+float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {
     float x = length(a), y = length(b), z = length(c);
     float volume = abs(dot(a, cross(b - a, c - a)));
-    return 2.0 * atan(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
+    return 2.0 * arctan2(volume, x * y * z + dot(a, b) * z + dot(a, c) * y + dot(b, c) * x);
 }
 """
 
@@ -936,9 +940,10 @@ CHAPTER = Chapter(
                        "c": ((-0.5, 1.0, 1.75), (0.5, -1.5, 1.25))}, "triangles of ordinary size"),
                 Check({"a": ((-1.0, -1.0, 0.001),), "b": ((1.0, -1.0, 0.001),), "c": ((0.0, 1.0, 0.001),)},
                       "nearly half of everything: 2π, where atan without a second argument goes wrong"),
-                Check({"a": ((0.0, 0.0, 1.0), (0.5, 0.25, 1.0)), "b": ((0.001, 0.0, 1.0), (0.501, 0.25, 1.0)),
-                       "c": ((0.0, 0.001, 1.0), (0.5, 0.251, 1.0))}, "a millimetre at a metre"),
-                Check({"a": ((0.0, 0.0, 1.0),), "b": ((1e-5, 0.0, 1.0),), "c": ((0.0, 1e-5, 1.0),)},
+                Check({"a": ((0.0, 0.0, 1.0), (0.513, 0.271, 0.97)), "b": ((0.001, 0.0, 1.0), (0.5141, 0.2713, 0.9698)),
+                       "c": ((0.0, 0.001, 1.0), (0.5127, 0.2721, 0.9705))}, "a millimetre at a metre"),
+                Check({"a": ((0.313, -0.271, 0.97),), "b": ((0.313012, -0.270997, 0.970003),),
+                       "c": ((0.312995, -0.27099, 0.969992),)},
                       "a hundredth of a millimetre at a metre", hidden=True),
             ),
         ),

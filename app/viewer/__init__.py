@@ -12,8 +12,12 @@ def run(options: argparse.Namespace) -> int:
     from app.viewer.window import Window, parameters
 
     locale_alias.ensure()
-    window = Window(getattr(options, "state", "") or "", getattr(options, "mesh", None), getattr(options, "theme", "") or "",
-                    getattr(options, "size", None) or (1280, 720))
+    window = Window(
+        getattr(options, "state", "") or "",
+        getattr(options, "mesh", None),
+        getattr(options, "theme", "") or "",
+        getattr(options, "size", None) or (1280, 720),
+    )
     params, add_ons = parameters(window)
     if not glfw.has_display():
         glfw.without_display()

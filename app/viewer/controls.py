@@ -1,4 +1,4 @@
-"""The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); what each means is in its tool-tip."""
+"""The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); a tool-tip says what each means."""
 
 from imgui_bundle import imgui
 
@@ -47,9 +47,12 @@ def row(app, spec: ValueSpec) -> None:
         tool_tip(spec)
 
 
+GREEK = {"theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η"}
+
+
 def words(spec: ValueSpec) -> str:
-    """The name a person reads: distance, half angle, corner A."""
-    return spec.name.replace("_", " ")
+    """The name a person reads: distance, half angle, angle θ."""
+    return GREEK.get(spec.name, spec.name.replace("_", " "))
 
 
 def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
@@ -70,8 +73,7 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     label, form = f"##{spec.name}", f"%.{places(spec, low, high)}" + (unit if unit in ("", "°") else f" {unit}")
     now = shown(spec.name, value)
     if spec.quantity.kind == "int":
-        changed, number = imgui.slider_int(label, int(now), int(low), int(high), "%d", flags)  # type: ignore[arg-type]
-        return changed, number
+        return imgui.slider_int(label, int(now), int(low), int(high), "%d", flags)  # type: ignore[arg-type]
     if isinstance(now, tuple):
         draw_slider = imgui.slider_float2 if len(now) == 2 else imgui.slider_float3
         changed, numbers = draw_slider(label, list(now), low, high, form, flags)
@@ -101,8 +103,10 @@ def tool_tip(spec: ValueSpec) -> None:
     unit = spec.quantity.screen_unit
     low, high, first = (text(spec, x) for x in (spec.low, spec.high, spec.default))
     gap = "" if unit in ("", "°") else " "
-    imgui.set_tooltip(f"{words(spec)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
-                      "Ctrl+click to type, double click to reset.")
+    imgui.set_tooltip(
+        f"{words(spec)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
+        "Ctrl+click to type, double click to reset."
+    )
 
 
 def text(spec: ValueSpec, value: Number) -> str:

@@ -16,7 +16,8 @@ ASIDE = 0.16  # of the width: the picture stands right of the title
 
 class Cover:
     def __init__(self, app) -> None:
-        self.app, self.stage, self.begun = app, None, 0.0
+        self.app, self.begun = app, 0.0
+        self.stage: Stage | None = None
 
     def draw(self, size: ImVec2) -> None:
         if self.stage is None:
@@ -31,7 +32,9 @@ class Cover:
         pixels = int(size.x * scale.x), int(size.y * scale.y)
         self.stage.draw({}, turned, pixels, self.app.theme, fine=True)
         self.app.ctx.screen.use()
-        imgui.image(imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0))
+        imgui.image(
+            imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0)
+        )
 
     def release(self) -> None:
         if self.stage:

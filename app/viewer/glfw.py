@@ -85,10 +85,10 @@ class WindowContext:
 
 
 def create_context() -> moderngl.Context:
-    return moderngl.create_context(require=330, context=WindowContext())
+    return moderngl.create_context(require=330, context=WindowContext())  # type: ignore[arg-type]
 
 
-def on_drop(take: Callable[[list[str]], None]) -> DropCallback:
+def on_drop(take: Callable[[list[str]], None]) -> object:
     """Call `take` with the paths of files dropped on the current window; keep the returned object alive."""
 
     def dropped(window, count, paths) -> None:

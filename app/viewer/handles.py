@@ -1,8 +1,8 @@
 """Dragging what the scene marks as draggable: find the values for which the handle's point follows the hand.
 
 A handle says which values move its point; the point itself is the scene's own GLSL `probe`. A drag is a small damped
-least-squares problem (Levenberg 1944; Marquardt 1963), solved in the picture's pixels, so that no handle needs a mapping
-of its own and a page can do the same with the same few lines.
+least-squares problem (Levenberg 1944; Marquardt 1963), solved in the picture's pixels, so that no handle needs a
+mapping of its own and a page can do the same with the same few lines.
 """
 
 import math
@@ -13,7 +13,7 @@ import numpy as np
 from app.quantities import TABLE
 
 Limits = tuple[float, float, bool]  # low, high, on a log scale
-STEPS, DAMPING = 4, 1e-3
+STEPS, DAMPING, NEAR, LONGEST = 12, 1e-3, 0.25, 0.25  # near: pixels; longest step: of a slider
 
 
 def to_slider(value: float, limits: Limits) -> float:
@@ -43,13 +43,18 @@ def rebuild(values: dict, names: tuple[str, ...], flat: list[float]) -> dict:
     found, at = dict(values), 0
     for name in names:
         width = TABLE[name].width
-        found[name] = tuple(flat[at:at + width]) if width > 1 else flat[at]
+        found[name] = tuple(flat[at : at + width]) if width > 1 else flat[at]
         at += width
     return found
 
 
-def drag(values: dict, names: tuple[str, ...], limits: dict[str, Limits], to: np.ndarray,
-         on_screen: Callable[[dict], np.ndarray]) -> dict:
+def drag(
+    values: dict,
+    names: tuple[str, ...],
+    limits: dict[str, Limits],
+    to: np.ndarray,
+    on_screen: Callable[[dict], np.ndarray],
+) -> dict:
     """The values for which the handle lies nearest to the pixel `to`, within their ranges.
 
     on_screen(values) -> pixel (2,) of the handle's point. Starts from the present values, so the answer never jumps to
@@ -59,23 +64,27 @@ def drag(values: dict, names: tuple[str, ...], limits: dict[str, Limits], to: np
     place = np.array([to_slider(v, r) for v, r in zip(flatten(values, names), ranges, strict=True)])
 
     def at(p: np.ndarray) -> dict:
-        return rebuild(values, names, [from_slider(x, r) for x, r in zip(p, ranges, strict=True)])
+        return rebuild(values, names, [from_slider(float(x), r) for x, r in zip(p, ranges, strict=True)])
 
-    here = on_screen(at(place))
+    here, damping = on_screen(at(place)), DAMPING
     for _ in range(STEPS):
         miss = np.asarray(to) - here
-        if np.hypot(*miss) < 0.25:
+        if np.hypot(*miss) < NEAR:
             break
         nudge = np.where(place > 0.5, -1e-3, 1e-3)
-        slopes = np.stack([(on_screen(at(place + np.eye(len(place))[i] * nudge[i])) - here) / nudge[i]
-                           for i in range(len(place))], -1)
+        slopes = np.stack(
+            [(on_screen(at(place + np.eye(len(place))[i] * nudge[i])) - here) / nudge[i] for i in range(len(place))], -1
+        )
         normal = slopes.T @ slopes
-        weight = DAMPING * np.trace(normal) / len(place) + 1e-9
-        step = np.linalg.solve(normal + weight * np.eye(len(place)), slopes.T @ miss)
-        step *= min(1.0, 0.25 / max(np.abs(step).max(), 1e-12))
-        trial = np.clip(place + step, 0, 1)
-        there = on_screen(at(trial))
-        if not np.all(np.isfinite(there)) or np.hypot(*(to - there)) >= np.hypot(*miss):
+        while damping < 1e3:
+            weight = damping * np.trace(normal) / len(place) + 1e-9
+            step = np.linalg.solve(normal + weight * np.eye(len(place)), slopes.T @ miss)
+            trial = np.clip(place + step * min(1.0, LONGEST / max(np.abs(step).max(), 1e-12)), 0, 1)
+            there = on_screen(at(trial))
+            if np.all(np.isfinite(there)) and np.hypot(*(to - there)) < np.hypot(*miss):
+                place, here, damping = trial, there, damping / 10
+                break
+            damping *= 10  # too bold: a shorter step, more along the steepest descent
+        else:
             break
-        place, here = trial, there
     return at(place)

@@ -13,22 +13,26 @@ def press(window) -> None:
         window.show_outline = window.show_help = False
         window.message = ""
         window.scene.picked = None
-    if window.show_welcome:
-        return
-    if io.key_ctrl:
-        if imgui.is_key_pressed(imgui.Key.z):
-            (window.session.redo if io.key_shift else window.session.undo)()
-        elif imgui.is_key_pressed(imgui.Key.y):
-            window.session.redo()
-        elif imgui.is_key_pressed(imgui.Key.f, False):
-            window.do("o")
-        return
+    elif not window.show_welcome:
+        (with_control if io.key_ctrl else alone)(window, io.key_shift)
+
+
+def with_control(window, shift: bool) -> None:
+    if imgui.is_key_pressed(imgui.Key.z):
+        (window.session.redo if shift else window.session.undo)()
+    elif imgui.is_key_pressed(imgui.Key.y):
+        window.session.redo()
+    elif imgui.is_key_pressed(imgui.Key.f, False):
+        window.do("o")
+
+
+def alone(window, shift: bool) -> None:
     if imgui.is_key_pressed(imgui.Key.page_down):
         window.move(1)
     elif imgui.is_key_pressed(imgui.Key.page_up):
         window.move(-1)
     elif imgui.is_key_pressed(imgui.Key.slash, False):
-        window.do("?" if io.key_shift else "o")
+        window.do("?" if shift else "o")
     else:
         for key, letter in LETTERS.items():
             if imgui.is_key_pressed(key, False):

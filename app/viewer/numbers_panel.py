@@ -26,7 +26,9 @@ def line(number: Number, theme: Theme, hidden: bool) -> None:
     imgui.table_next_column()
     shade, size = colour(DOT[number.role], theme), imgui.get_font_size()
     at = imgui.get_cursor_screen_pos()
-    imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, style.u32(shade))
+    imgui.get_window_draw_list().add_circle_filled(
+        ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, style.u32(shade)
+    )
     imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
     imgui.text_wrapped(number.label)
     imgui.table_next_column()

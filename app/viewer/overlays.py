@@ -20,7 +20,7 @@ KEYS = (
     ("mouse in the picture", "drag a ring: the thing; elsewhere: turn; wheel: zoom; click: read the values"),
     ("?", "these keys"),
 )
-FIXED = (imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings)
+FIXED = imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings
 
 
 def welcome(app, size: ImVec2) -> None:
@@ -34,7 +34,9 @@ def welcome(app, size: ImVec2) -> None:
     unit = imgui.get_font_size()
     back = rgb(app.theme.background)
     dark, clear = style.u32(back, 0.92), style.u32(back, 0.0)
-    imgui.get_window_draw_list().add_rect_filled_multi_color(ImVec2(0, 0), ImVec2(0.5 * size.x, size.y), dark, clear, clear, dark)
+    imgui.get_window_draw_list().add_rect_filled_multi_color(
+        ImVec2(0, 0), ImVec2(0.5 * size.x, size.y), dark, clear, clear, dark
+    )
     imgui.set_cursor_pos(ImVec2(3 * unit, size.y * 0.16))
     imgui.begin_group()
     heading("Halfway", 4.0)
@@ -69,7 +71,9 @@ def welcome(app, size: ImVec2) -> None:
 def outline(app, size: ImVec2) -> None:
     """Every step, and a search over text, slide titles and terms."""
     centred("Outline", size, 46, 34)
-    shown, app.show_outline = imgui.begin("Outline", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings)
+    shown, app.show_outline = imgui.begin(
+        "Outline", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings
+    )
     if shown:
         if imgui.is_window_appearing():
             imgui.set_keyboard_focus_here()
@@ -115,7 +119,9 @@ def hits(app) -> None:
 
 def help_keys(app, size: ImVec2) -> None:
     centred("Keys", size, 44, 22)
-    shown, app.show_help = imgui.begin("Keys", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings)
+    shown, app.show_help = imgui.begin(
+        "Keys", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings
+    )
     if shown and imgui.begin_table("keys", 2):
         imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())
         for key, meaning in KEYS:

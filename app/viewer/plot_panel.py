@@ -22,6 +22,7 @@ class PlotPanel:
         self.fine = False
         self.cameras: dict[str, Camera] = {}  # how the plot of a step was turned
         self.fault = ""
+        self.shown = 0  # pictures so far
 
     @property
     def waiting(self) -> bool:
@@ -30,7 +31,8 @@ class PlotPanel:
     def draw(self, values: dict, room: ImVec2) -> None:
         scale = imgui.get_io().display_framebuffer_scale
         size = max(64, int(room.x * scale.x)), max(64, int(room.y * scale.y))
-        self.ask(values, size)
+        if self.app.frame > 1:  # the lesson is shown first
+            self.ask(values, size)
         self.take()
         at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
@@ -39,13 +41,15 @@ class PlotPanel:
         else:
             self.empty(at, room, hidden)
         imgui.set_cursor_screen_pos(at)
-        imgui.invisible_button("plot", room)
-        self.turn()
         if self.fault and not hidden:
-            imgui.set_cursor_screen_pos(ImVec2(at.x + 12, at.y + 0.62 * room.y))
+            imgui.dummy(room)
+            imgui.set_cursor_screen_pos(ImVec2(at.x + imgui.get_font_size(), at.y + 0.65 * room.y))
             if imgui.button("Restart the plots"):
                 self.restart()
             imgui.set_cursor_screen_pos(ImVec2(at.x, at.y + room.y + imgui.get_style().item_spacing.y))
+        else:
+            imgui.invisible_button("plot", room)
+            self.turn()
 
     def ask(self, values: dict, size: tuple[int, int]) -> None:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
@@ -80,6 +84,7 @@ class PlotPanel:
                 self.texture.release()
             self.texture = self.app.ctx.texture((width, height), 3, alignment=1)
         self.texture.write(picture.image.tobytes(), alignment=1)
+        self.shown += 1
         if picture.wish.plot is self.app.session.current.step.plot:
             self.of = self.app.session.current.id
 
@@ -104,8 +109,11 @@ class PlotPanel:
 
         io, camera = imgui.get_io(), self.cameras.get(found.id, found.step.plot.camera)
         if imgui.is_item_active() and (io.mouse_delta.x or io.mouse_delta.y):
-            self.cameras[found.id] = replace(camera, azimuth=camera.azimuth - TURN * io.mouse_delta.x,
-                                             elevation=min(max(camera.elevation + TURN * io.mouse_delta.y, -89), 89))
+            self.cameras[found.id] = replace(
+                camera,
+                azimuth=camera.azimuth - TURN * io.mouse_delta.x,
+                elevation=min(max(camera.elevation + TURN * io.mouse_delta.y, -89), 89),
+            )
         elif imgui.is_item_hovered() and imgui.is_mouse_double_clicked(0):
             self.cameras.pop(found.id, None)
 

@@ -29,6 +29,7 @@ class ScenePanel:
         self.moved = 0.0
         self.picked: tuple[Pick, ImVec2] | None = None
         self.frames_drawn = 0
+        self.corner, self.room = ImVec2(), ImVec2()  # where the picture lies in the window
 
     # --- the picture -----------------------------------------------------------------------------------------------
     def show(self, stage: Stage) -> None:
@@ -43,7 +44,13 @@ class ScenePanel:
         scale = imgui.get_io().display_framebuffer_scale
         size = max(16, int(room.x * scale.x)), max(16, int(room.y * scale.y))
         camera = view.camera(self.stage.scene.camera)
-        wanted = size, {k: v for k, v in values.items() if k != "triangles"}, id(values.get("triangles")), view, theme.name
+        wanted = (
+            size,
+            {k: v for k, v in values.items() if k != "triangles"},
+            id(values.get("triangles")),
+            view,
+            theme.name,
+        )
         changed = wanted != self.drawn
         rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
         if changed or rest:
@@ -57,11 +64,14 @@ class ScenePanel:
                 self.picked = None
             self.drawn = wanted
             self.app.ctx.screen.use()
-        corner = imgui.get_cursor_screen_pos()
+        corner = self.corner = imgui.get_cursor_screen_pos()
+        self.room = room
         texture = self.stage.textures[0]
         imgui.image(imgui.ImTextureRef(texture.glo), room, uv0=ImVec2(0, 1), uv1=ImVec2(1, 0))
         imgui.set_cursor_screen_pos(corner)
-        imgui.invisible_button("picture", room, imgui.ButtonFlags_.mouse_button_left | imgui.ButtonFlags_.mouse_button_right)
+        imgui.invisible_button(
+            "picture", room, imgui.ButtonFlags_.mouse_button_left | imgui.ButtonFlags_.mouse_button_right
+        )
         self.words(corner, room, theme)
         if not self.app.session.frozen:
             self.hand(corner, room, values, view, theme)
@@ -92,17 +102,27 @@ class ScenePanel:
             self.word(label.text, colour(label.colour, theme), self.points[f"label {label.text}"], corner, room, theme)
         for mark in scene.marks:
             if mark.label:
-                self.word(mark.label, colour(mark.colour, theme), self.points[f"mark {mark.name}"], corner, room, theme,
-                          gap=1.1 if mark.tip != "none" else 0.4)
+                self.word(
+                    mark.label,
+                    colour(mark.colour, theme),
+                    self.points[f"mark {mark.name}"],
+                    corner,
+                    room,
+                    theme,
+                    gap=1.1 if mark.tip != "none" else 0.4,
+                )
         self.legend(corner, room, theme)
         if self.faults:
             self.fault_notice(corner, room, theme)
 
-    def word(self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme,
-             gap: float = 0.4) -> None:
+    def word(
+        self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4
+    ) -> None:
         """A word beside its point, kept inside the picture, with a halo of the background."""
         at, size, gap = self.on_screen(point, corner, room), imgui.calc_text_size(text), gap * imgui.get_font_size()
-        away = np.array([at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2])  # outwards, off the lines it names
+        away = np.array(
+            [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
+        )  # outwards, off the lines it names
         away = away / max(float(np.hypot(*away)), 1e-6)
         x = at.x + away[0] * (gap + size.x / 2) - size.x / 2
         y = at.y + away[1] * (gap + size.y / 2) - size.y / 2
@@ -119,18 +139,30 @@ class ScenePanel:
         size = imgui.get_font_size()
         for i, (name, text) in enumerate(self.stage.scene.legend):
             y = corner.y + 0.6 * size + i * line
-            draw.add_rect_filled(ImVec2(corner.x + 0.7 * size, y + 0.25 * size), ImVec2(corner.x + 1.4 * size, y + 0.95 * size),
-                                 style.u32(colour(name, theme)), 2.0)
+            draw.add_rect_filled(
+                ImVec2(corner.x + 0.7 * size, y + 0.25 * size),
+                ImVec2(corner.x + 1.4 * size, y + 0.95 * size),
+                style.u32(colour(name, theme)),
+                2.0,
+            )
             draw.add_text(ImVec2(corner.x + 1.8 * size, y), style.u32(rgb(theme.foreground)), text)
 
     def fault_notice(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
-        parts = [f"{count} pixels {word}" for count, word in ((self.faults.nan, "not a number"), (self.faults.inf, "infinite"),
-                                                             (self.faults.negative, "negative")) if count]
+        parts = [
+            f"{count} pixels {word}"
+            for count, word in (
+                (self.faults.nan, "not a number"),
+                (self.faults.inf, "infinite"),
+                (self.faults.negative, "negative"),
+            )
+            if count
+        ]
         text = "Faulty: " + ", ".join(parts)
         at, size = ImVec2(corner.x + 8, corner.y + room.y - 2.0 * imgui.get_font_size()), imgui.calc_text_size(text)
         draw = imgui.get_window_draw_list()
-        draw.add_rect_filled(ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 8, at.y + size.y + 3),
-                             style.u32((0.75, 0.0, 0.1)), 3.0)
+        draw.add_rect_filled(
+            ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 8, at.y + size.y + 3), style.u32((0.75, 0.0, 0.1)), 3.0
+        )
         draw.add_text(ImVec2(at.x + 2, at.y), style.u32((1.0, 1.0, 1.0)), text)
 
     # --- the hand --------------------------------------------------------------------------------------------------
@@ -149,8 +181,13 @@ class ScenePanel:
                 self.drag(mouse, corner, room, values)
             elif self.turning:
                 turn = TURN * 720 / max(room.y, 1)
-                self.app.session.look(View(wrap(view.azimuth - io.mouse_delta.x * turn),
-                                               min(max(view.elevation + io.mouse_delta.y * turn, -89.0), 89.0), view.distance))
+                self.app.session.look(
+                    View(
+                        wrap(view.azimuth - io.mouse_delta.x * turn),
+                        min(max(view.elevation + io.mouse_delta.y * turn, -89.0), 89.0),
+                        view.distance,
+                    )
+                )
         if imgui.is_item_deactivated():
             self.app.session.end_change()
             if self.held is None and self.moved < 4:
@@ -184,8 +221,13 @@ class ScenePanel:
         draw, size = imgui.get_window_draw_list(), imgui.get_font_size()
         for handle in self.stage.scene.handles:
             at, strong = self.on_screen(self.points[f"handle {handle.name}"], corner, room), handle is near
-            draw.add_circle(at, (0.55 if strong else 0.4) * size, style.u32(rgb(theme.foreground), 1.0 if strong else 0.55),
-                            0, 2.5 if strong else 1.5)
+            draw.add_circle(
+                at,
+                (0.55 if strong else 0.4) * size,
+                style.u32(rgb(theme.foreground), 1.0 if strong else 0.55),
+                0,
+                2.5 if strong else 1.5,
+            )
 
     def drag(self, mouse: ImVec2, corner: ImVec2, room: ImVec2, values: dict) -> None:
         handle, stage = self.held, self.stage
@@ -198,7 +240,9 @@ class ScenePanel:
             return np.array([point.x, point.y])
 
         found = handles.drag(values, handle.values, limits, np.array([mouse.x, mouse.y]), seen)
-        self.app.session.change({**self.app.session.values, **{n: found[n] for n in handle.values}}, self.app.session.view)
+        self.app.session.change(
+            {**self.app.session.values, **{n: found[n] for n in handle.values}}, self.app.session.view
+        )
         self.app.ctx.screen.use()
 
     def pick_at(self, mouse: ImVec2, corner: ImVec2, room: ImVec2, values: dict, view: View, theme: Theme) -> None:
@@ -214,8 +258,13 @@ class ScenePanel:
             return
         found, at = self.picked
         imgui.set_next_window_pos(ImVec2(at.x + 14, at.y + 10))
-        flags = (imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.always_auto_resize | imgui.WindowFlags_.no_saved_settings
-                 | imgui.WindowFlags_.no_focus_on_appearing | imgui.WindowFlags_.no_nav)
+        flags = (
+            imgui.WindowFlags_.no_decoration
+            | imgui.WindowFlags_.always_auto_resize
+            | imgui.WindowFlags_.no_saved_settings
+            | imgui.WindowFlags_.no_focus_on_appearing
+            | imgui.WindowFlags_.no_nav
+        )
         if imgui.begin("picked", None, flags)[0]:
             imgui.text(found.surface + (f", face {found.face}" if self.mesh_is(found.surface) else ""))
             imgui.text_disabled("point   " + "  ".join(three(x) for x in found.position) + " m")

@@ -38,7 +38,9 @@ def apply(theme: Theme, height: float) -> None:
     hello_imgui.get_runner_params().imgui_window_params.background_color = vec(rgb(theme.panel))
     style = imgui.get_style()
     (imgui.style_colors_dark if theme.name == "dark" else imgui.style_colors_light)()
-    style.font_size_base = style._next_frame_font_size_base = text_size(theme, height)  # as Dear ImGui's own style editor
+    style.font_size_base = style._next_frame_font_size_base = text_size(
+        theme, height
+    )  # as Dear ImGui's own style editor
     style.frame_rounding = style.grab_rounding = style.popup_rounding = style.child_rounding = 5.0
     style.window_rounding = 0.0
     style.window_border_size = 0.0
@@ -48,16 +50,32 @@ def apply(theme: Theme, height: float) -> None:
     front, panel, quiet = rgb(theme.foreground), rgb(theme.panel), rgb(theme.quiet)
     accent = colour("l", theme)
     shades = {
-        "text": (front, 1.0), "text_disabled": (quiet, 1.0), "window_bg": (panel, 1.0), "child_bg": (panel, 0.0),
-        "popup_bg": (mix(panel, front, 0.04), 1.0), "border": (quiet, 0.45), "frame_bg": (mix(panel, front, 0.09), 1.0),
-        "frame_bg_hovered": (mix(panel, front, 0.15), 1.0), "frame_bg_active": (mix(panel, front, 0.2), 1.0),
-        "slider_grab": (accent, 1.0), "slider_grab_active": (accent, 1.0), "check_mark": (accent, 1.0),
-        "button": (mix(panel, front, 0.11), 1.0), "button_hovered": (mix(panel, front, 0.19), 1.0),
-        "button_active": (mix(panel, front, 0.27), 1.0), "header": (mix(panel, front, 0.1), 1.0),
-        "header_hovered": (mix(panel, front, 0.16), 1.0), "header_active": (mix(panel, front, 0.22), 1.0),
-        "separator": (quiet, 0.35), "scrollbar_bg": (panel, 0.0), "scrollbar_grab": (quiet, 0.5),
-        "nav_cursor": (accent, 1.0), "text_link": (colour("estimate" if theme.name == "dark" else "n", theme), 1.0),
-        "title_bg": (panel, 1.0), "title_bg_active": (mix(panel, front, 0.08), 1.0), "plot_histogram": (accent, 1.0),
+        "text": (front, 1.0),
+        "text_disabled": (quiet, 1.0),
+        "window_bg": (panel, 1.0),
+        "child_bg": (panel, 0.0),
+        "popup_bg": (mix(panel, front, 0.04), 1.0),
+        "border": (quiet, 0.45),
+        "frame_bg": (mix(panel, front, 0.09), 1.0),
+        "frame_bg_hovered": (mix(panel, front, 0.15), 1.0),
+        "frame_bg_active": (mix(panel, front, 0.2), 1.0),
+        "slider_grab": (accent, 1.0),
+        "slider_grab_active": (accent, 1.0),
+        "check_mark": (accent, 1.0),
+        "button": (mix(panel, front, 0.11), 1.0),
+        "button_hovered": (mix(panel, front, 0.19), 1.0),
+        "button_active": (mix(panel, front, 0.27), 1.0),
+        "header": (mix(panel, front, 0.1), 1.0),
+        "header_hovered": (mix(panel, front, 0.16), 1.0),
+        "header_active": (mix(panel, front, 0.22), 1.0),
+        "separator": (quiet, 0.35),
+        "scrollbar_bg": (panel, 0.0),
+        "scrollbar_grab": (quiet, 0.5),
+        "nav_cursor": (accent, 1.0),
+        "text_link": (colour("estimate" if theme.name == "dark" else "n", theme), 1.0),
+        "title_bg": (panel, 1.0),
+        "title_bg_active": (mix(panel, front, 0.08), 1.0),
+        "plot_histogram": (accent, 1.0),
         "modal_window_dim_bg": (rgb(theme.background), 0.6),
     }
     for name, (shade, alpha) in shades.items():

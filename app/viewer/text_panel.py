@@ -36,7 +36,9 @@ def draw(app) -> None:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
     elif imgui.tree_node("Where this comes from"):
         imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
-        imgui.text_wrapped("Slides: " + "; ".join(step.slides) + (" (this step goes beyond them)" if step.beyond else "") + ".")
+        imgui.text_wrapped(
+            "Slides: " + "; ".join(step.slides) + (" (this step goes beyond them)" if step.beyond else "") + "."
+        )
         imgui.text_wrapped("Sources: " + "; ".join(step.sources) + ".")
         imgui.text_wrapped(step.honesty)
         imgui.pop_style_color()
@@ -59,7 +61,9 @@ def question(app, step: Step, theme: Theme) -> None:
     """Ask before you tell: the question, the guess, then the truth and how far the guess was off."""
     session, ask = app.session, step.ask
     imgui.push_style_color(imgui.Col_.child_bg, style.vec(style.mix(style.rgb(theme.panel), colour("l", theme), 0.09)))
-    imgui.begin_child("question", imgui.ImVec2(0, 0), imgui.ChildFlags_.auto_resize_y | imgui.ChildFlags_.always_use_window_padding)
+    imgui.begin_child(
+        "question", imgui.ImVec2(0, 0), imgui.ChildFlags_.auto_resize_y | imgui.ChildFlags_.always_use_window_padding
+    )
     imgui.text_wrapped(ask.question)
     answer = session.answer
     if answer.stage != "revealed":
@@ -95,6 +99,13 @@ def guess(app, step: Step) -> None:
     now = answer.guess if answer.guess is not None else app.first_guess(ask)
     flags = imgui.SliderFlags_.always_clamp | (imgui.SliderFlags_.logarithmic if ask.scale == "log" else 0)
     imgui.set_next_item_width(-1)
-    changed, new = imgui.slider_float("##guess", now, ask.low, ask.high, f"%.{0 if ask.high >= 1e3 else 2 if ask.high > 0.5 else 3}f {ask.unit}", flags)
+    changed, new = imgui.slider_float(
+        "##guess",
+        now,
+        ask.low,
+        ask.high,
+        f"%.{0 if ask.high >= 1e3 else 2 if ask.high > 0.5 else 3}f {ask.unit}",
+        flags,
+    )
     if changed:
         app.session.guess(min(max(new, ask.low), ask.high))

@@ -13,6 +13,8 @@ from imgui_bundle import ImVec2, hello_imgui, imgui, immapp, rich_md
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.lesson import Number, Prediction
+from app.meshes import Mesh, built_in, load
+from app.paths import LESSONS
 from app.problem import Problem, Usage
 from app.progress import Progress
 from app.readouts import numbers
@@ -24,15 +26,26 @@ from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
 
-FIXED = (imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings
-         | imgui.WindowFlags_.no_bring_to_front_on_focus)
+FIXED = (
+    imgui.WindowFlags_.no_decoration
+    | imgui.WindowFlags_.no_move
+    | imgui.WindowFlags_.no_saved_settings
+    | imgui.WindowFlags_.no_bring_to_front_on_focus
+)
 THEME_ORDER = tuple(THEMES)
 
 
 class Window:
-    def __init__(self, start: str = "", mesh: str | None = None, theme: str = "", size: tuple[int, int] = (1280, 720)):
+    def __init__(
+        self,
+        start: str = "",
+        mesh: str | None = None,
+        theme: str = "",
+        size: tuple[int, int] = (1280, 720),
+        folder: Path = LESSONS,
+    ):
         self.progress = Progress()
-        self.session = Session(start, self.progress)
+        self.session = Session(start, self.progress, folder)
         self.size = size
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
@@ -42,7 +55,7 @@ class Window:
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
-        self.mesh = None  # the user's own, in place of the scene's
+        self.mesh: Mesh | None = None  # the user's own, in place of the scene's
         self.triangles: np.ndarray | None = None
         self.placed: tuple = ()  # the step and the mesh on the stage
         self.fault = ""  # why this step has no picture
@@ -87,10 +100,11 @@ class Window:
         self.pace()
 
     def pace(self) -> None:
-        """Full speed while something moves, else one look a second, so that an idle window costs next to nothing."""
+        """Full speed while something moves, else one look a second: an idle window costs next to nothing. A plot that
+        comes wakes it."""
         idling = hello_imgui.get_runner_params().fps_idling
-        idling.enable_idling = not (self.show_welcome or self.plot.waiting or (self.scene.stage and not self.scene.is_fine))
-        last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", 0))
+        idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
+        last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
         if last and self.frame >= last:
             hello_imgui.get_runner_params().app_shall_exit = True
 
@@ -254,8 +268,6 @@ class Window:
 
     def take_mesh(self, path: str) -> None:
         """The user's own mesh, in the step about meshes."""
-        from app.meshes import load
-
         try:
             self.mesh = load(Path(path))
             if not any(s.mesh for s in self.session.current.step.scene.surfaces):
@@ -266,8 +278,6 @@ class Window:
             self.message = str(problem)
 
     def mesh_named(self, shape: int) -> np.ndarray:
-        from app.meshes import built_in
-
         return built_in(self.session.current.step.scene.meshes[shape]).triangles
 
     def set_stage(self) -> None:
@@ -287,7 +297,9 @@ class Window:
                 self.scene.stage.place(self.triangles)
                 self.scene.drawn = None
             else:
-                self.scene.show(Stage(self.ctx, Source(found.step.scene, found.file_name, found.glsl_line), self.triangles))
+                self.scene.show(
+                    Stage(self.ctx, Source(found.step.scene, found.file_name, found.glsl_line), self.triangles)
+                )
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()
@@ -303,8 +315,13 @@ def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsP
     params.app_window_params.window_geometry.size = window.size
     params.app_window_params.restore_previous_geometry = False
     params.renderer_backend_options.open_gl_options = hello_imgui.OpenGlOptions(
-        major_version=3, minor_version=3, use_core_profile=True, use_forward_compat=True, glsl_version="330",
-        anti_aliasing_samples=0)  # eight samples, the default, cost 40 % of the frame rate
+        major_version=3,
+        minor_version=3,
+        use_core_profile=True,
+        use_forward_compat=True,
+        glsl_version="330",
+        anti_aliasing_samples=0,
+    )  # eight samples, the default, cost 40 % of the frame rate
     params.imgui_window_params.default_imgui_window_type = hello_imgui.DefaultImGuiWindowType.no_default_window
     params.imgui_window_params.show_menu_bar = params.imgui_window_params.show_status_bar = False
     params.fps_idling.fps_idle = 1.0

@@ -1,0 +1,55 @@
+"""Drive the real window without a display: one run of the complete app around a test function."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from app import locale_alias
+from app.paths import LESSONS
+from app.viewer import glfw
+from app.viewer.window import Window, parameters
+
+
+def drive(
+    test: Callable, start: str = "solid_angle/patch", size: tuple[int, int] = (1280, 720), folder: Path = LESSONS
+) -> Window:
+    """Open the window at a state, run test(engine, window), close it. A missing item or a failed assert raises."""
+    from imgui_bundle.immapp import testing
+
+    locale_alias.ensure()
+    window = Window(start, size=size, folder=folder)
+    params, add_ons = parameters(window)
+    params.fps_idling.vsync_to_monitor = False
+    params.callbacks.show_gui = lambda: (window.gui(), jobs_of(window))
+    window.jobs = []
+    glfw.without_display()
+    testing.run(test_function=lambda engine: test(engine, window), runner_params=params, add_ons_params=add_ons)
+    return window
+
+
+def jobs_of(window: Window) -> None:
+    while window.jobs:
+        window.jobs.pop(0)()
+
+
+def on_gl(engine, window: Window, job: Callable):
+    """The result of a job done in the window's own thread: the test runs in another, where no context is current."""
+    found: list = []
+    window.jobs.append(lambda: found.append(job()))
+    until(engine, window, lambda: bool(found))
+    return found[0]
+
+
+def frames(engine, count: int = 3) -> None:
+    engine.yield_(count)
+
+
+def until(engine, window, true: Callable[[], bool], frames: int = 2000) -> None:
+    """Let the window run until something has happened."""
+    import time
+
+    for _ in range(frames):
+        if true():
+            return
+        window.jobs.append(lambda: time.sleep(0.01))  # leave the processor to the plots
+        engine.yield_(1)
+    raise AssertionError("it did not happen")
