@@ -44,8 +44,8 @@ def texts() -> dict[str, tuple[shader.Assembled, shader.Assembled | None]]:
     found = {}
     for step in catalog.steps():
         drawn = needed(step.step.scene)
-        picked = [f"{name} values" for name in drawn if f"{name} values" in PARTS]
-        for name, pair in programs(step.step.scene, step.file_name, step.glsl_line, shader.WEB, (*drawn, *picked)).items():
+        names = (*drawn, *(f"{name} values" for name in drawn if f"{name} values" in PARTS))
+        for name, pair in programs(step.step.scene, step.file_name, step.glsl_line, shader.WEB, names).items():
             found[f"{step.id}: {name}"] = pair
     for name, pair in programs(COVER, "lessons/cover.py", header=shader.WEB).items():
         found[f"cover: {name}"] = pair

@@ -1,0 +1,1 @@
+"""Homework: a student's function against the twin."""
