@@ -247,6 +247,7 @@ half and more, and nothing warns you.
             Handle("its normal", 1, ("tilt",)),
             Handle("its distance", 2, ("distance",)),
         ),
+        legend=(("l", "the patch A, and the points that meet it"), ("estimate", "its shadow A′ on the unit sphere")),
         camera=Camera(azimuth=-62, elevation=20, distance=7.6, target=(0.5, 0.2, 0.3)),
     ),
     plot=Curves(
@@ -576,7 +577,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(at(vec2(0.5)), 1.0);
     if (i == 1) return vec4(on_dome(vec2(0.5)) * 1.05, 1.0);
-    return vec4(on_dome(vec2(0.5)).xy, 0.02, 1.0);
+    return vec4(1.25 * on_dome(vec2(0.5)).xy + 0.25 * normalize(on_dome(vec2(0.5)).xy + vec2(1e-6)), 0.02, 1.0);
 }
 """
 
@@ -614,6 +615,7 @@ Bring the patch [overhead](?theta=0), [half way down](?theta=60), [to the horizo
             Mark("rim", colour="quiet", segments=96),
         ),
         labels=(Label("ω", 1, "estimate"), Label("Ω⊥", 2, "v")),
+        legend=(("l", "the patch"), ("estimate", "its shadow ω on the dome"), ("v", "and Ω⊥ on the base disk")),
         handles=(Handle("the patch", 0, ("theta", "phi")),),
         camera=Camera(azimuth=-58, elevation=24, distance=7.2, target=(0.3, 0.25, 0.55)),
     ),

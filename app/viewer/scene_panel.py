@@ -123,7 +123,7 @@ class ScenePanel:
         away = np.array(
             [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
         )  # outwards, off the lines it names
-        away = away / max(float(np.hypot(*away)), 1e-6)
+        away = away / np.hypot(*away) if np.hypot(*away) > gap else np.array([0.0, -1.0])
         x = at.x + away[0] * (gap + size.x / 2) - size.x / 2
         y = at.y + away[1] * (gap + size.y / 2) - size.y / 2
         x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)
