@@ -4,7 +4,7 @@ import argparse
 
 
 def run(options: argparse.Namespace) -> int:
-    """Open the window at a state, or at the first picture; without a display on GLFW's null platform if asked."""
+    """Open the window at a state, or at the first picture; without a display on GLFW's null platform."""
     from imgui_bundle import immapp
 
     from app import locale_alias

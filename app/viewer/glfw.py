@@ -34,10 +34,10 @@ def library() -> ctypes.CDLL:
 
 
 def has_display() -> bool:
-    """Whether a window can open here."""
-    if not sys.platform.startswith("linux"):
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    """Whether a window can open here: GLFW starts on the display there is (this GLFW speaks X11, no Wayland)."""
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        return False
+    return bool(library().glfwInit())
 
 
 def without_display() -> None:
@@ -47,11 +47,6 @@ def without_display() -> None:
     if not lib.glfwInit():
         raise Problem("GLFW did not start on its null platform; run `halfway doctor`.")
     lib.glfwWindowHint(CONTEXT_CREATION_API, EGL_CONTEXT_API)
-
-
-def opens() -> bool:
-    """Whether GLFW starts on the display of this machine at all."""
-    return bool(library().glfwInit())
 
 
 class WindowContext:
