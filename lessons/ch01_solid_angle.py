@@ -283,7 +283,7 @@ its error falls only as the points grow. Edge on, the shadow closes: β = 90° h
     sources=("Deck, slide Solid Angles", "van Oosterom & Strackee 1983: triangles of the square",
              "Swinbank and Purser 2006: Fibonacci grid"),
     honesty="Exact: closed form. dA cos β / r² is the first order in w/r. Counted: the share of N evenly spread directions.",
-    values=(Value("theta", 55.0, more=True), Value("phi", 20.0, more=True), Value("distance", 1.6, high=3.5), Value("tilt", 25.0),
+    values=(Value("theta", 55.0, more=True), Value("phi", 20.0, more=True), Value("distance", 1.6), Value("tilt", 25.0),
             Value("width", 1.2), Value("samples", 2048, more=True)),
     minutes=6,
 )
@@ -705,7 +705,7 @@ vec2 middle() {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return vec3(3.6 * s.x - 1.8, 2.6 * s.y - 1.3, 0.0);
+    if (surface != 1) return vec3(1.8 * (surface == 0 ? s.x - 1.0 : s.x), 2.6 * s.y - 1.3, 0.0);
     float at = s.x * float(corner_count);
     vec3 rim = mix(shown(int(at)), shown(int(at) + 1), fract(at));
     return vec3(mix(middle(), rim.xy, s.y), HEIGHT);
@@ -715,7 +715,7 @@ vec3 shade(Surface s) {
     if (s.id == 1) return soft_light(palette[COLOUR_L], s.normal, s.v);
     float left = -abs(s.position.x);
     float most = solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, 0.0, 0.0);
-    float seen = s.position.x < 0.0
+    float seen = s.id == 0
         ? solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y)
         : solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y);
     return colormap(seen / max(most, 1e-30));
@@ -736,7 +736,8 @@ vec4 probe(int i) {
     return vec4(i == 5 ? -0.95 : 0.95, -1.45, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 1)), Surface("outline", cells=(120, 1), opacity=0.55)),
+        surfaces=(Surface("floor, with edges", cells=(1, 1)), Surface("outline", cells=(120, 1), opacity=0.55),
+                  Surface("floor, as printed", cells=(1, 1))),
         marks=(
             Mark("divide", colour="exact", width=0.8),
             *(Mark(f"edge {i}", colour="l", width=1.2) for i in "abcde"),
