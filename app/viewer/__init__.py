@@ -21,5 +21,6 @@ def run(options: argparse.Namespace) -> int:
     params, add_ons = parameters(window)
     if not glfw.has_display():
         glfw.without_display()
+    glfw.without_depth()
     immapp.run(params, add_ons)
     return 0

@@ -16,6 +16,7 @@ import moderngl
 from app.problem import Problem
 
 PLATFORM, PLATFORM_NULL = 0x00050003, 0x00060005
+DEPTH_BITS, STENCIL_BITS = 0x00021005, 0x00021006
 CONTEXT_CREATION_API, EGL_CONTEXT_API = 0x0002200B, 0x00036002
 Pointer = ctypes.c_void_p
 DropCallback = ctypes.CFUNCTYPE(None, Pointer, ctypes.c_int, ctypes.POINTER(ctypes.c_char_p))
@@ -47,6 +48,12 @@ def without_display() -> None:
     if not lib.glfwInit():
         raise Problem("GLFW did not start on its null platform; run `halfway doctor`.")
     lib.glfwWindowHint(CONTEXT_CREATION_API, EGL_CONTEXT_API)
+
+
+def without_depth() -> None:
+    """The interface needs no depth and no stencil buffer; scenes have their own."""
+    library().glfwWindowHint(DEPTH_BITS, 0)
+    library().glfwWindowHint(STENCIL_BITS, 0)
 
 
 class WindowContext:

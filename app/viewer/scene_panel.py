@@ -55,7 +55,7 @@ class ScenePanel:
         rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
         if changed or rest:
             # while something moves one sample a pixel; soft edges as soon as it rests
-            self.is_fine = rest or self.drawn is None
+            self.is_fine = rest
             self.stage.draw(values, camera, size, theme, fine=self.is_fine)
             self.frames_drawn += 1
             if changed:

@@ -68,6 +68,7 @@ class Window:
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         self.drop_callback = glfw.on_drop(self.dropped.extend)
         imgui.get_io().config_flags |= imgui.ConfigFlags_.nav_enable_keyboard
 
@@ -78,6 +79,11 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+
+    def after_swap(self) -> None:
+        """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
+        if self.is_software:
+            self.ctx.finish()
 
     def gui(self) -> None:
         size = imgui.get_main_viewport().size
@@ -297,9 +303,8 @@ class Window:
                 self.scene.stage.place(self.triangles)
                 self.scene.drawn = None
             else:
-                self.scene.show(
-                    Stage(self.ctx, Source(found.step.scene, found.file_name, found.glsl_line), self.triangles)
-                )
+                source = Source(found.step.scene, found.file_name, found.glsl_line)
+                self.scene.show(Stage(self.ctx, source, self.triangles, counts_fine=False))
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()
@@ -328,7 +333,7 @@ def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsP
     params.fps_idling.time_active_after_last_event = 0.7
     params.callbacks.load_additional_fonts = style.load_font
     params.callbacks.post_init, params.callbacks.before_exit = window.post_init, window.before_exit
-    params.callbacks.show_gui = window.gui
+    params.callbacks.show_gui, params.callbacks.after_swap = window.gui, window.after_swap
     markdown = rich_md.MarkdownOptions()
     markdown.with_latex, markdown.autolinks = True, False
     markdown.callbacks.on_open_link = window.open_link
