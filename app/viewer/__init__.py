@@ -11,13 +11,15 @@ def run(options: argparse.Namespace) -> int:
     from app.viewer import glfw
     from app.viewer.window import Window, parameters
 
-    locale_alias.ensure()
+    formulas = locale_alias.ensure()
     window = Window(
         getattr(options, "state", "") or "",
         getattr(options, "mesh", None),
         getattr(options, "theme", "") or "",
         getattr(options, "size", None) or (1280, 720),
     )
+    if formulas == "missing":
+        window.message = "Formulas cannot be typeset here: run `halfway doctor`, it prints the command that mends it."
     params, add_ons = parameters(window)
     if not glfw.has_display():
         glfw.without_display()

@@ -114,6 +114,9 @@ class ScenePanel:
         self.legend(corner, room, theme)
         if self.faults:
             self.fault_notice(corner, room, theme)
+        else:
+            at = ImVec2(corner.x + 0.7 * imgui.get_font_size(), corner.y + room.y - 1.6 * imgui.get_font_size())
+            imgui.get_window_draw_list().add_text(at, style.u32(rgb(theme.quiet), 0.7), "0 faulty pixels")
 
     def word(
         self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4

@@ -4,6 +4,7 @@ It draws a `Session` and calls it; what can be computed without a window is comp
 """
 
 import os
+import time
 import webbrowser
 from pathlib import Path
 
@@ -33,6 +34,7 @@ FIXED = (
     | imgui.WindowFlags_.no_bring_to_front_on_focus
 )
 THEME_ORDER = tuple(THEMES)
+SAVE_EVERY = 5.0  # seconds
 
 
 class Window:
@@ -61,6 +63,7 @@ class Window:
         self.fault = ""  # why this step has no picture
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
+        self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         if mesh:
             self.take_mesh(mesh)
@@ -108,6 +111,9 @@ class Window:
     def pace(self) -> None:
         """Full speed while something moves, else one look a second: an idle window costs next to nothing. A plot that
         comes wakes it."""
+        if self.session.revision != self.saved and time.monotonic() - self.saved_at > SAVE_EVERY:
+            self.saved, self.saved_at = self.session.revision, time.monotonic()
+            self.session.save()  # a crash loses seconds, not a lesson
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
