@@ -114,6 +114,13 @@ def test_a_figure_keeps_its_dome_and_follows_values_and_camera(plots):
     assert np.any(turned != second, -1).sum() > 5000
 
 
+@pytest.mark.parametrize("size", [(64, 64), (300, 100), (100, 300)], ids=str)
+def test_a_plot_with_no_place_between_its_words_is_drawn_larger(plots, size):
+    image = drawn(plots, AGAINST, PATCH, size=size, theme=PROJECTOR)  # raises what could not be drawn
+    assert all(have >= want for have, want in zip(image.shape[:2], size[::-1], strict=True))
+    assert near(image, colour("printed", PROJECTOR)).any()
+
+
 def test_the_words_at_ticks_cast_no_shadows(plots):
     """VTK's own words have a faint row below them at some sizes: their texture comes round again."""
     against = replace(AGAINST, error=True, y_scale="log")

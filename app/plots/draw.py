@@ -19,6 +19,7 @@ from app.plots.words import header, line_of_words, noticed
 from app.theme import Theme
 
 SMALLEST = 120  # px; below this nothing can be read
+ROOM = 11  # times the size of its text: below this a plot has no place between its words
 
 
 class Drawing:
@@ -26,7 +27,8 @@ class Drawing:
 
     def __init__(self, plot: Plot, size: tuple[int, int], theme: Theme, mesh_triangles: np.ndarray | None = None,
                  ranges: dict | None = None):
-        self.size = max(SMALLEST, int(size[0])), max(SMALLEST, int(size[1]))
+        least = max(SMALLEST, round(ROOM * Look(theme, (SMALLEST, SMALLEST)).text))
+        self.size = max(least, int(size[0])), max(least, int(size[1]))
         self.plot, self.look = plot, Look(theme, self.size)
         self.part = part(plot, self.look, mesh_triangles, ranges or {})
         self.head = header(self.look, plot.title, self.part.entries)
