@@ -138,17 +138,18 @@ class ScenePanel:
 
     def legend(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
         assert self.stage is not None
-        draw, line = imgui.get_window_draw_list(), imgui.get_text_line_height_with_spacing()
-        size = imgui.get_font_size()
-        for i, (name, text) in enumerate(self.stage.scene.legend):
-            y = corner.y + 0.6 * size + i * line
+        draw, size = imgui.get_window_draw_list(), imgui.get_font_size()
+        y, wide = corner.y + 0.6 * size, max(room.x - 2.3 * size, 4 * size)
+        for name, text in self.stage.scene.legend:
             draw.add_rect_filled(
                 ImVec2(corner.x + 0.7 * size, y + 0.25 * size),
                 ImVec2(corner.x + 1.4 * size, y + 0.95 * size),
                 style.u32(colour(name, theme)),
                 2.0,
             )
-            draw.add_text(ImVec2(corner.x + 1.8 * size, y), style.u32(rgb(theme.foreground)), text)
+            ink = style.u32(rgb(theme.foreground))
+            draw.add_text(imgui.get_font(), size, ImVec2(corner.x + 1.8 * size, y), ink, text, wide)
+            y += imgui.calc_text_size(text, wrap_width=wide).y + imgui.get_style().item_spacing.y
 
     def fault_notice(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
         parts = [
