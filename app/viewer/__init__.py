@@ -17,6 +17,7 @@ def run(options: argparse.Namespace) -> int:
         getattr(options, "mesh", None),
         getattr(options, "theme", "") or "",
         getattr(options, "size", None) or (1280, 720),
+        ies=getattr(options, "ies", None),
     )
     params, add_ons = parameters(window)
     if not glfw.has_display():
