@@ -38,9 +38,9 @@ uniform float aim;
 uniform float meter_x;
 uniform float meter_s;
 
-const float WIDE = 3.0, DEEP = 4.5, HIGH = 3.0; // of the room, m; the wall is y = 0, the floor z = 0
+const float WIDE = 2.6, DEEP = 3.2, HIGH = 3.0; // of the room, m; the wall is y = 0, the floor z = 0
 const float DECADES = 3.5;                      // of the scale, from 1 lx
-const float SIZE = 0.8;                         // of the solid, m
+const float SIZE = 1.1;                         // of the solid, m
 
 vec3 luminaire() {
     return vec3(0.0, -setback, height);
@@ -99,7 +99,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(luminaire(), 1.0);
     if (i == 1) return vec4(meter(), 1.0);
-    return vec4(WIDE + 0.78, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
+    return vec4(WIDE + 0.98, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
 }
 """
 
@@ -109,18 +109,18 @@ IES = Step(
     idea="An IES file lists measured candela by direction; what it emits is their sum over the sphere.",
     slides=("IES Lights",),
     prose=r"""
-A maker measures a luminaire in a dark room: so many candela in this direction, so many in that. The list is an **IES
-file**. Directions are $\theta$ from straight down and *planes* $C$ around the vertical; between them we interpolate, and
-where nothing was measured it is dark.
+A maker measures a luminaire in a dark room: so many candela in this direction, so many in that. The list is an
+**IES file**. Directions are $\theta$ from straight down and *planes* $C$ around the vertical; between them we
+interpolate, and where nothing was measured it is dark.
 
-The $\colour{l}{\text{photometric solid}}$ reaches as far as the intensity; two of its planes are drawn, $C_0$ towards the
-wall and $C_{90}$. Wall and floor show the illuminance
+The $\colour{l}{\text{photometric solid}}$ reaches as far as the intensity; two of its planes are drawn, $C_0$ towards
+the wall and $C_{90}$. Wall and floor show the illuminance
 
 $$E = \frac{I(\theta, C)\,\cos\beta}{r^2}$$
 
 with lines of equal lux. Drag the luminaire and the meter.
 
-Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&turn=90&height=4), the
+Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&height=3.6), the
 [flood aimed up](?lamp=flood&aim=70), the [uplight](?lamp=uplight&height=1.6), the
 [bare lamp](?lamp=bare-lamp). One of these files does not emit what it declares. Drop your own on the window.
 """,
@@ -130,7 +130,7 @@ Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&
             Surface("floor", cells=(1, 1)),
             Surface("wall", cells=(1, 1)),
             Surface("scale", cells=(1, 1)),
-            Surface("photometric solid", cells=(96, 64), opacity=0.42),
+            Surface("photometric solid", cells=(96, 64), opacity=0.5),
         ),
         marks=(
             Mark("plane C0", colour="l", segments=144, width=1.2),
@@ -142,14 +142,16 @@ Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&
         ),
         labels=(Label("1 lx", 2), Label("10", 3), Label("100", 4), Label("1000", 5)),
         handles=(Handle("the luminaire", 0, ("height", "setback")), Handle("the lux meter", 1, ("meter_x", "meter_s"))),
-        camera=Camera(azimuth=-64, elevation=17, distance=13.6, target=(0.25, -1.6, 1.15)),
+        camera=Camera(azimuth=-60, elevation=22, distance=12.6, target=(0.3, -1.0, 1.1)),
+        legend=(("l", "photometric solid"), ("n", "normal of the meter")),
         tables=(Table("table", IES_FILES, "lamp"),),
     ),
     plot=Figure(
         title="Photometric solid",
         sheets=(Sheet("intensity", Term("ies_solid"), colour="l", cells=(120, 90),
                       height=Term("ies_solid_candela"), height_label="luminous intensity in cd"),),
-        camera=Camera(azimuth=-64, elevation=14, distance=4.6, target=(0.0, 0.0, -0.25)),
+        dome="sphere",
+        camera=Camera(azimuth=-60, elevation=16, distance=4.5),
     ),
     readouts=(
         Readout("integrated", Term("ies_flux"), role="exact", unit="lm"),
@@ -168,25 +170,26 @@ Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&
         told="3140: about π times what it declares. Its author took the 1000 cd straight down for lumens.",
     ),
     notes="""
-Show the downlight, then the wall washer, and ask which belongs in a museum. Pull the luminaire away from the wall: lines
-of equal lux spread as the square. Then the bare lamp. Common wrong answers: 1000 lm, because the file says so, and 12 566,
-because 4π is in the air; but a cosine lights half the sphere and its mean there is one half. The gap between declared and
-integrated lumens of an honest file is the light that stays in the luminaire, here a fifth or so. The street light keeps
-only the planes from 90° to 270°: the rest is their mirror image. Turn it, and see what turns. 6 minutes.
+Show the downlight, then the wall washer, and ask which belongs in a museum. Pull the luminaire away from the wall:
+twice as far, a quarter of the lux. Then the bare lamp. Common wrong answers: 1000 lm, because the file says so, and
+12 566, because 4π is in the air; but a cosine lights half the sphere and its mean there is one half. The gap between
+declared and integrated lumens of an honest file is the light that stays in the luminaire, here a fifth or so. The
+street light keeps only the planes from 90° to 270°: the rest is their mirror image. Turn it, and see what turns.
+6 minutes.
 """,
     sources=("IES LM-63-1986 to LM-63-2019, by the rules of the optics reference, section 7",
              "Deck, slides IES Lights and Units for Lighting - Candela",
              "The files are made for this course (lessons/ies)"),
-    honesty="Integrated: exact for intensities joined by straight lines, 3139.60 lm for the bare lamp; the smooth cosine has "
-            "1000π = 3141.59 lm. Far field, direct light only: no shadows, nothing reflected.",
+    honesty="Integrated: exact for intensities joined by straight lines, 3139.60 lm for the bare lamp; the smooth "
+            "cosine has 1000π = 3141.59 lm. Far field, direct light only: no shadows, nothing reflected.",
     values=(
         Value("lamp", 1, choices=IES_LAMPS),
-        Value("height", 2.4, low=0.3, high=4.0, scale="linear"),
-        Value("setback", 1.0, low=0.3, high=4.0),
+        Value("height", 2.4, low=0.3, high=3.6, scale="linear"),
+        Value("setback", 1.0, low=0.3, high=3.0),
         Value("turn", 0.0, low=-180.0, high=180.0),
         Value("aim", 0.0, low=0.0, high=90.0, more=True),
-        Value("meter_x", 0.9, low=-3.0, high=3.0, more=True),
-        Value("meter_s", -1.7, low=-4.5, high=3.0, more=True),
+        Value("meter_x", 0.9, low=-2.6, high=2.6, more=True),
+        Value("meter_s", -1.7, low=-3.2, high=3.0, more=True),
     ),
     minutes=6,
 )
@@ -227,8 +230,8 @@ float ies_ring_flux(float theta, float d_theta, float candela_below, float cande
 IES_EXERCISE = Exercise(
     name="ring",
     function="ies_ring_flux",
-    task="Write the luminous flux in the ring between two angles, when the intensity runs linearly from one to the other, "
-         "so that it still holds in float32 for a ring a tenth of a degree wide.",
+    task="Write the luminous flux in the ring between two angles, when the intensity runs linearly from one to the "
+         "other, so that it still holds in float32 for a ring a tenth of a degree wide.",
     slide="IES Lights",
     stubs={"python": IES_RING_STUB, "glsl": IES_RING_GLSL_STUB},
     solutions={"python": IES_RING_SOLUTION, "glsl": IES_RING_GLSL_SOLUTION},

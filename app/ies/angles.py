@@ -4,6 +4,7 @@ import numpy as np
 
 from app.ies.text import Numbers
 
+ENDS = {90: "quadrant", 180: "bilateral", 360: "none"}  # the last horizontal angle of type C, from 0
 SAME = 1e-3  # degrees: angles nearer than this are one
 
 
@@ -35,10 +36,10 @@ def horizontal_rule(numbers: Numbers, at: int, found: np.ndarray, kind: str, yea
             numbers.refuse(at + end, f"the horizontal angles go from {first:g} to {last:g}; LM-63 asks in type {kind} "
                                      "for 0 to 90 (symmetric) or -90 to 90")
         return "bilateral" if near(first, 0) else "none"
+    if len(found) == 1 and not near(first, 0):
+        warnings.append(f"{line}the only horizontal angle is {first:g}; LM-63 asks for 0 in an axially symmetric "
+                        "file, and it is read as one.")
     if len(found) == 1:
-        if not near(first, 0):
-            warnings.append(f"{line}the only horizontal angle is {first:g}; LM-63 asks for 0 in an axially symmetric "
-                            "file, and it is read as one.")
         return "axial"
     if near(first, 90) and near(last, 270):
         if year != 1995:
@@ -48,12 +49,9 @@ def horizontal_rule(numbers: Numbers, at: int, found: np.ndarray, kind: str, yea
     if not near(first, 0):
         numbers.refuse(at, f"the first horizontal angle is {first:g}; LM-63 asks for 0 in type C (or 90 to 270 in "
                            "1995)")
-    if near(last, 90):
-        return "quadrant"
-    if near(last, 180):
-        return "bilateral"
-    if near(last, 360):
-        return "none"
+    for end_of_range, symmetry in ENDS.items():
+        if near(last, end_of_range):
+            return symmetry
     if 180 < last < 360 and near(last + (found[-1] - found[-2]), 360):
         warnings.append(f"{line}the horizontal angles end at {last:g}; LM-63 asks for a last plane at 360, which is "
                         "the plane 0 again, and it is closed so.")

@@ -47,6 +47,12 @@ class Photometry:
         return None if self.lumens_per_lamp == -1 else self.lamps * self.lumens_per_lamp
 
     @property
+    def title(self) -> str:
+        """What the file calls the luminaire, on one line."""
+        said = self.keywords.get("LUMINAIRE") or next((s for s in self.labels if s.strip() and s.strip()[0] != "["), "")
+        return " ".join(said.split()) or Path(self.name).name
+
+    @property
     def summary(self) -> str:
         """What a person should know at once, in one sentence, and the first warning."""
         declared = "none declared (absolute)" if self.declared_lumens is None else f"{self.declared_lumens:g} declared"

@@ -1,5 +1,6 @@
 """An LM-63 file as a Photometry: the numbers in the order of the standard, each checked where it stands."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ from app.problem import Problem
 
 MOST = 3601  # angles of a kind: a tenth of a degree around
 CELLS = 2_000_000
+TOO_MANY = 1.02  # times the declared lumens: more is no rounding
 ORDINARY = 1e9  # cd, lm, W: more is damage
 
 
@@ -30,6 +32,7 @@ def parse(data: bytes, name: str, folder: Path | None = None) -> Photometry:
                                "luminaire is shown as it was measured, so they are not applied.")
     warnings = header.warnings
     lamps = numbers.count("number of lamps", 1, 100_000)
+    line = numbers.line(numbers.at)
     lumens = numbers.checked("lumens per lamp", lambda x: x == -1 or 0 <= x <= ORDINARY,
                              "lumens, or -1 for absolute photometry")
     multiplier = numbers.checked("candela multiplier", lambda x: 0 < x <= ORDINARY, "a factor above 0")
@@ -45,7 +48,7 @@ def parse(data: bytes, name: str, folder: Path | None = None) -> Photometry:
     third = third_factor(numbers, header.year)
     watts = numbers.checked("input watts", lambda x: 0 <= x <= ORDINARY, "0 or more watts")
     if lumens == 0:
-        warnings.append(f"{name}, line {numbers.line(numbers.at - 12)}: 0 lumens per lamp; LM-63 asks for the lumens "
+        warnings.append(f"{name}, line {line}: 0 lumens per lamp; LM-63 asks for the lumens "
                         "the candela refer to, or -1.")
     vertical = angles(numbers, n_vertical, "vertical angles")
     vertical_rule(numbers, numbers.at - n_vertical, vertical, kind, warnings)
@@ -59,11 +62,16 @@ def parse(data: bytes, name: str, folder: Path | None = None) -> Photometry:
     if not float(candela.max()) * factor <= ORDINARY:
         numbers.refuse(numbers.at - 1, f"candela times multiplier and factors reach {candela.max() * factor:.1e} cd; "
                                        "LM-63 asks for factors that give candela")
-    return Photometry(
+    found = Photometry(
         name=name, year=header.year, keywords=header.keywords, labels=tuple(header.labels), tilt=header.tilt,
         kind=kind, symmetry=symmetry, lamps=lamps, lumens_per_lamp=lumens, factor=factor, units=units,
         size=(size[0], size[1], size[2]), watts=watts, vertical=vertical, horizontal=horizontal,
-        candela=candela * factor, warnings=tuple(warnings))
+        candela=candela * factor, warnings=())
+    emitted, declared = found.integrated_lumens, found.declared_lumens
+    if declared and emitted > TOO_MANY * declared:
+        warnings.append(f"{name}, line {line}: {declared:g} lm are declared, and the candela add up to "
+                        f"{emitted:.5g} lm; LM-63 asks for candela of the declared lumens, and no luminaire emits more than its lamps.")
+    return replace(found, warnings=tuple(warnings))
 
 
 def tilt_table(numbers: Numbers) -> None:

@@ -69,11 +69,12 @@ def ies_ring_flux(theta, d_theta, candela_below, candela_above):
 def ies_flux(table):
     """The luminous flux of the interpolated intensities, each piece between two angles integrated exactly.
 
-    sum over the rings of ies_ring_flux(middle, width, I_i, I_(i+1)), I_i the mean over the azimuths by trapezoids, which
-    is exact for what is linear between the planes
+    sum over the rings of ies_ring_flux(middle, width, I_i, I_(i+1)), I_i the mean over the azimuths by trapezoids,
+    which is exact for what is linear between the planes
 
-    table (rows, columns). Returns () lm. Errors: none for the interpolant; a smooth source is missed by O(h^2): 1000 cos
-    theta cd at 5 degrees gives 3139.60 lm, and 1000 pi = 3141.59 lm is the source's own. Source: optics reference 7.8.
+    table (rows, columns). Returns () lm. Errors: none for the interpolant; a smooth source is missed by O(h^2): 1000
+    cos theta cd at 5 degrees gives 3139.60 lm, and 1000 pi = 3141.59 lm is the source's own.
+    Source: optics reference 7.8.
     """
     table = np.asarray(table, float)
     n, planes = int(table[0, 1]), int(table[0, 2])
@@ -88,7 +89,7 @@ def _h_j1(h):
     x, series = h * h, 1.0
     for k in (130, 88, 54, 28, 10):
         series = 1 - x / k * series
-    return np.where(h < 0.3, x / 3 * series, np.sin(h) / h - np.cos(h))
+    return np.where(h < 0.3, x / 3 * series, np.sin(h) / np.where(h < 0.3, 1, h) - np.cos(h))
 
 
 def ies_declared(table):
@@ -152,8 +153,8 @@ def ies_towards(table, way, turn, aim):
 
     way turned back by `turn` around the vertical, then by `aim` around the luminaire's side axis; its theta and phi
 
-    table (rows, columns); way (..., 3) m from the luminaire, +z up; turn (...) rad, counter-clockwise; aim (...) rad from
-    straight down towards the front. Returns (...) cd. Errors: none. Source: deck, IES Lights; IES LM-63-2002.
+    table (rows, columns); way (..., 3) m from the luminaire, +z up; turn (...) rad, counter-clockwise; aim (...) rad
+    from straight down towards the front. Returns (...) cd. Errors: none. Source: deck, IES Lights; IES LM-63-2002.
     """
     x, y, z = np.moveaxis(np.asarray(way, float), -1, 0)
     turn, aim = np.asarray(turn, float), np.asarray(aim, float)
@@ -168,7 +169,8 @@ def ies_illuminance(table, way, normal, turn, aim):
     I max(0, -n . way) / |way|^3
 
     table (rows, columns); way (..., 3) m from the luminaire to the point; normal (..., 3), unit; turn, aim (...) rad.
-    Returns (...) lx. Errors: far field, at least five times the luminaire's size away. Source: deck, Units for Lighting.
+    Returns (...) lx. Errors: far field, at least five times the luminaire's size away.
+    Source: deck, Units for Lighting - Candela.
     """
     way, normal = np.asarray(way, float), np.asarray(normal, float)
     r = np.sqrt(np.sum(way * way, -1))

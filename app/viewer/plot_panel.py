@@ -58,7 +58,8 @@ class PlotPanel:
         camera = self.cameras.get(found.id)
         triangles = values.get("triangles")
         shown = {k: v for k, v in values.items() if k != "triangles"}
-        wanted = found.id, {k: id(v) if isinstance(v, np.ndarray) else v for k, v in shown.items()}, size, theme.name, camera, id(triangles)
+        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
+        wanted = found.id, known, size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
