@@ -2,7 +2,7 @@
 
 u is half the distance of 1 to the next number of the type. cond is the relative condition number: inputs off by u each
 move the value by up to cond u, so rounding the inputs alone costs that much. kappa is how many times larger the terms
-of a sum are than the sum itself; only the functions of TERMS have one.
+of a sum are than the sum itself, or what it costs to round a step on the way; only the functions of TERMS have one.
 """
 
 from collections.abc import Callable
@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.optics import twin
+from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle import _dot, _fan
@@ -110,11 +111,28 @@ def _ratio_terms(distance, tilt, width):
     return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
 
 
+def _towards_terms(table, way, turn, aim):
+    """The direction passes through its angles: at the end of a beam rounding them costs more than rounding the way."""
+    theta, phi = _aimed(way, turn, aim)
+    return moved("ies_candela", {"table": table, "theta": theta, "phi": phi})
+
+
+def _illuminance_terms(table, way, normal, turn, aim):
+    return _towards_terms(table, way, turn, aim) * _falloff(way, normal)
+
+
+def _room_terms(table, height, setback, turn, aim, meter_x, meter_s):
+    return _illuminance_terms(table, *_meter(height, setback, meter_x, meter_s), turn, aim)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,
     "projected_solid_angle_sphere": _sphere_terms,
+    "ies_towards": _towards_terms,
+    "ies_illuminance": _illuminance_terms,
+    "ies_room_illuminance": _room_terms,
     "solid_angle_disk": _disk_terms,
     "solid_angle_polygon": _polygon_terms,
     "solid_angle_outline": _outline_terms,

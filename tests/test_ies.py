@@ -242,7 +242,8 @@ def test_a_ring_by_quadrature():
 
 def test_places_solids_planes_and_aims():
     table = built_in("downlight").table
-    assert ies_place(table, 1, [0, 5, 7.5, 90, 91, -1]).tolist() == [0, 1, 1.5, 18, -1, -1]
+    places = [[0, 1, 0], [1, 1, 0], [1, 0.5, 0.5], [17, 0, 1], [-1, 0, 0], [-1, 0, 0]]
+    assert ies_place(table, 1, [0, 5, 7.5, 90, 91, -1]).tolist() == places
     assert ies_solid(table, 0.3, 0.0).tolist() == pytest.approx([0, 0, -1], abs=1e-15)
     either = [at(built_in("downlight"), np.degrees(0.3), 9)] * 2
     assert ies_plane(table, [-0.3, 0.3], 0.2).tolist() == pytest.approx(either)

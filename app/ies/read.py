@@ -69,8 +69,9 @@ def parse(data: bytes, name: str, folder: Path | None = None) -> Photometry:
         candela=candela * factor, warnings=())
     emitted, declared = found.integrated_lumens, found.declared_lumens
     if declared and emitted > TOO_MANY * declared:
-        warnings.append(f"{name}, line {line}: {declared:g} lm are declared, and the candela add up to "
-                        f"{emitted:.5g} lm; LM-63 asks for candela of the declared lumens, and no luminaire emits more than its lamps.")
+        warnings.append(f"{name}, line {line}: {declared:g} lm are declared, and the candela add up to {emitted:.5g} "
+                        "lm; LM-63 asks for the candela of the declared lumens, and no luminaire emits more than its "
+                        "lamps.")
     return replace(found, warnings=tuple(warnings))
 
 

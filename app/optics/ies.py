@@ -10,21 +10,23 @@ SLACK = 1e-4  # degrees: the measured range ends this much later, so that its la
 
 
 def ies_place(table, row, angle):
-    """Where an angle lies among the table's angles: the number of the one below it plus the share of the way on.
+    """Where an angle lies among the table's angles: the number of the one below it, and the weights of the two.
 
-    i + (angle - a_i) / (a_(i+1) - a_i) for a_i <= angle <= a_(i+1); -1 outside the measured range
+    i, (a_(i+1) - angle) / (a_(i+1) - a_i), (angle - a_i) / (a_(i+1) - a_i), each weight from its own difference, which
+    is exact; i = -1 and no weight outside the measured range
 
-    table (rows, columns); row: 1 the angles from the pole, 2 the azimuths; angle (...) degrees. Returns (...) a
-    number. Errors: none. Source: optics reference 7.8; IES LM-63-2002.
+    table (rows, columns); row: 1 the angles from the pole, 2 the azimuths; angle (...) degrees. Returns (..., 3).
+    Errors: none. Source: optics reference 7.8; IES LM-63-2002.
     """
     table, row, angle = np.asarray(table, float), np.asarray(row), np.asarray(angle, float)
     if row.ndim:
-        return np.where(row == 1, ies_place(table, 1, angle), ies_place(table, 2, angle))
+        return np.where((row == 1)[..., None], ies_place(table, 1, angle), ies_place(table, 2, angle))
     known = table[int(row), :int(table[0, int(row)])]
     low = np.clip(np.searchsorted(known, angle, "right") - 1, 0, len(known) - 2)
-    share = np.clip((angle - known[low]) / (known[low + 1] - known[low]), 0, 1)
-    outside = ~((angle >= known[0] - SLACK) & (angle <= known[-1] + SLACK))
-    return np.where(outside, -1.0, low + share)[()]
+    a, b = known[low], known[low + 1]
+    inside = (angle >= known[0] - SLACK) & (angle <= known[-1] + SLACK)
+    weights = (np.where(inside, np.clip(x / (b - a), 0, 1), 0.0) for x in (b - angle, angle - a))
+    return np.stack([np.where(inside, low, -1.0), *weights], -1)
 
 
 def ies_candela(table, theta, phi):
@@ -42,13 +44,10 @@ def ies_candela(table, theta, phi):
         down, front, side = np.cos(theta), np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi)
         theta, phi = np.arctan2(np.hypot(down, front), -side), np.arctan2(front, down)
     p, q = ies_place(table, 1, np.degrees(theta)), ies_place(table, 2, np.degrees(phi))
-    inside = (p >= 0) & (q >= 0)
-    i = np.clip(np.floor(p), 0, table[0, 1] - 2).astype(int)
-    j = np.clip(np.floor(q), 0, table[0, 2] - 2).astype(int)
-    s, t = p - i, q - j
-    lower = table[j + 3, i] * (1 - s) + table[j + 3, i + 1] * s
-    upper = table[j + 4, i] * (1 - s) + table[j + 4, i + 1] * s
-    return np.where(inside, lower * (1 - t) + upper * t, 0.0)[()]
+    i, j = (np.maximum(place[..., 0], 0).astype(int) for place in (p, q))
+    lower = table[j + 3, i] * p[..., 1] + table[j + 3, i + 1] * p[..., 2]
+    upper = table[j + 4, i] * p[..., 1] + table[j + 4, i + 1] * p[..., 2]
+    return (lower * q[..., 1] + upper * q[..., 2])[()]
 
 
 def ies_ring_flux(theta, d_theta, candela_below, candela_above):
@@ -116,12 +115,12 @@ def ies_peak(table):
 def ies_solid(table, s, t):
     """The photometric solid over the unit square: in each direction as far out as the intensity, the peak being 1.
 
-    I / I_peak (sin theta cos phi, sin theta sin phi, -cos theta), theta = pi t, phi = pi (2 s - 1)
+    I / I_peak (sin theta cos phi, sin theta sin phi, -cos theta), theta = pi t, phi = 2 pi s, from the front
 
     table (rows, columns); s, t (...), 0 .. 1. Returns (..., 3), +z up. Errors: none. Source: deck, IES Lights.
     """
     s, t = np.broadcast_arrays(np.asarray(s, float), np.asarray(t, float))
-    theta, phi = np.pi * t, np.pi * (2 * s - 1)
+    theta, phi = np.pi * t, _turned(s)
     way = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), -np.cos(theta)], -1)
     return way * (ies_candela(table, theta, phi) / ies_peak(table))[..., None]
 
@@ -129,11 +128,17 @@ def ies_solid(table, s, t):
 def ies_solid_candela(table, s, t):
     """The luminous intensity at a point of the photometric solid.
 
-    ies_candela(pi t, pi (2 s - 1))
+    ies_candela(pi t, 2 pi s)
 
     table (rows, columns); s, t (...), 0 .. 1. Returns (...) cd. Errors: none. Source: deck, IES Lights.
     """
-    return ies_candela(table, np.pi * np.asarray(t, float), np.pi * (2 * np.asarray(s, float) - 1))
+    return ies_candela(table, np.pi * np.asarray(t, float), _turned(s))
+
+
+def _turned(s):
+    """2 pi s in -pi .. pi."""
+    s = np.asarray(s, float)
+    return 2 * np.pi * np.where(s > 0.5, s - 1, s)
 
 
 def ies_plane(table, theta, plane):
@@ -156,11 +161,16 @@ def ies_towards(table, way, turn, aim):
     table (rows, columns); way (..., 3) m from the luminaire, +z up; turn (...) rad, counter-clockwise; aim (...) rad
     from straight down towards the front. Returns (...) cd. Errors: none. Source: deck, IES Lights; IES LM-63-2002.
     """
+    return ies_candela(table, *_aimed(way, turn, aim))
+
+
+def _aimed(way, turn, aim):
+    """theta and phi of a way, for a luminaire turned and aimed."""
     x, y, z = np.moveaxis(np.asarray(way, float), -1, 0)
     turn, aim = np.asarray(turn, float), np.asarray(aim, float)
     front, side = x * np.cos(turn) + y * np.sin(turn), y * np.cos(turn) - x * np.sin(turn)
     front, up = front * np.cos(aim) + z * np.sin(aim), z * np.cos(aim) - front * np.sin(aim)
-    return ies_candela(table, np.arctan2(np.hypot(front, side), -up), np.arctan2(side, front))
+    return np.arctan2(np.hypot(front, side), -up), np.arctan2(side, front)
 
 
 def ies_illuminance(table, way, normal, turn, aim):
@@ -172,9 +182,13 @@ def ies_illuminance(table, way, normal, turn, aim):
     Returns (...) lx. Errors: far field, at least five times the luminaire's size away.
     Source: deck, Units for Lighting - Candela.
     """
+    return ies_towards(table, way, turn, aim) * _falloff(way, normal)
+
+
+def _falloff(way, normal):
     way, normal = np.asarray(way, float), np.asarray(normal, float)
     r = np.sqrt(np.sum(way * way, -1))
-    return ies_towards(table, way, turn, aim) * np.maximum(0, -np.sum(way * normal, -1)) / (r * r * r)
+    return np.maximum(0, -np.sum(way * normal, -1)) / (r * r * r)
 
 
 def ies_room_illuminance(table, height, setback, turn, aim, meter_x, meter_s):
@@ -185,9 +199,13 @@ def ies_room_illuminance(table, height, setback, turn, aim, meter_x, meter_s):
     table (rows, columns); height, setback (...) m of the luminaire over the floor and from the wall; turn, aim (...)
     rad; meter_x, meter_s (...) m. Returns (...) lx. Errors: direct light only, far field. Source: deck, IES Lights.
     """
+    return ies_illuminance(table, *_meter(height, setback, meter_x, meter_s), turn, aim)
+
+
+def _meter(height, setback, meter_x, meter_s):
+    """The way from the luminaire to the meter, in the frame whose x faces the wall, and the meter's normal."""
     height, setback, x, s = (np.asarray(v, float) for v in (height, setback, meter_x, meter_s))
     front, up = np.minimum(s, 0) + setback, np.maximum(s, 0) - height
     on_wall = s > 0
     way = np.stack(np.broadcast_arrays(front, -x, up), -1)
-    normal = np.stack(np.broadcast_arrays(np.where(on_wall, -1.0, 0.0), 0.0, np.where(on_wall, 0.0, 1.0)), -1)
-    return ies_illuminance(table, way, normal, turn, aim)
+    return way, np.stack(np.broadcast_arrays(np.where(on_wall, -1.0, 0.0), 0.0, np.where(on_wall, 0.0, 1.0)), -1)

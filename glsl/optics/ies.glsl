@@ -1,11 +1,11 @@
 #include "core/constants.glsl"
 #include "core/angle.glsl"
 
-float ies_place(sampler2D table, int row, float angle) {
-    // IES LM-63-2002: i + share of the way from angle i to the next; -1 outside the measured range
+vec3 ies_place(sampler2D table, int row, float angle) {
+    // IES LM-63-2002: the angle below, and the weights of it and of the next; -1 outside the measured range
     int low = 0, high = int(texelFetch(table, ivec2(row, 0), 0).x) - 1;
     float a = texelFetch(table, ivec2(low, row), 0).x, b = texelFetch(table, ivec2(high, row), 0).x;
-    if (!(angle >= a - 1e-4 && angle <= b + 1e-4)) return -1.0;
+    if (!(angle >= a - 1e-4 && angle <= b + 1e-4)) return vec3(-1.0, 0.0, 0.0);
     for (int i = 0; i < 12; i++) { // halves at most 3601 angles
         if (high - low < 2) break;
         int middle = (low + high) / 2;
@@ -14,7 +14,7 @@ float ies_place(sampler2D table, int row, float angle) {
     }
     a = texelFetch(table, ivec2(low, row), 0).x;
     b = texelFetch(table, ivec2(high, row), 0).x;
-    return float(low) + clamp((angle - a) / (b - a), 0.0, 1.0);
+    return vec3(float(low), clamp(vec2(b - angle, angle - a) / (b - a), 0.0, 1.0));
 }
 
 float ies_candela(sampler2D table, float theta, float phi) {
@@ -24,14 +24,12 @@ float ies_candela(sampler2D table, float theta, float phi) {
         theta = arctan2(length(vec2(down, front)), -side);
         phi = arctan2(front, down);
     }
-    float p = ies_place(table, 1, theta * (180.0 / PI)), q = ies_place(table, 2, phi * (180.0 / PI));
-    if (p < 0.0 || q < 0.0) return 0.0;
-    int i = min(int(p), int(texelFetch(table, ivec2(1, 0), 0).x) - 2);
-    int j = min(int(q), int(texelFetch(table, ivec2(2, 0), 0).x) - 2);
-    float s = p - float(i), t = q - float(j);
-    float lower = texelFetch(table, ivec2(i, j + 3), 0).x * (1.0 - s) + texelFetch(table, ivec2(i + 1, j + 3), 0).x * s;
-    float upper = texelFetch(table, ivec2(i, j + 4), 0).x * (1.0 - s) + texelFetch(table, ivec2(i + 1, j + 4), 0).x * s;
-    return lower * (1.0 - t) + upper * t;
+    vec3 p = ies_place(table, 1, theta * (180.0 / PI)), q = ies_place(table, 2, phi * (180.0 / PI));
+    if (p.x < 0.0 || q.x < 0.0) return 0.0;
+    int i = int(p.x), j = int(q.x);
+    float lower = texelFetch(table, ivec2(i, j + 3), 0).x * p.y + texelFetch(table, ivec2(i + 1, j + 3), 0).x * p.z;
+    float upper = texelFetch(table, ivec2(i, j + 4), 0).x * p.y + texelFetch(table, ivec2(i + 1, j + 4), 0).x * p.z;
+    return lower * q.y + upper * q.z;
 }
 
 float ies_ring_flux(float theta, float d_theta, float candela_below, float candela_above) {
@@ -73,14 +71,14 @@ float ies_peak(sampler2D table) {
 
 vec3 ies_solid(sampler2D table, float s, float t) {
     // IES Lights: in each direction as far out as the intensity, the peak being 1
-    float theta = PI * t, phi = PI * (2.0 * s - 1.0);
+    float theta = PI * t, phi = 2.0 * PI * (s > 0.5 ? s - 1.0 : s);
     vec3 way = vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), -cos(theta));
     return way * (ies_candela(table, theta, phi) / ies_peak(table));
 }
 
 float ies_solid_candela(sampler2D table, float s, float t) {
     // IES Lights: the intensity at a point of the solid
-    return ies_candela(table, PI * t, PI * (2.0 * s - 1.0));
+    return ies_candela(table, PI * t, 2.0 * PI * (s > 0.5 ? s - 1.0 : s));
 }
 
 float ies_plane(sampler2D table, float theta, float plane) {
