@@ -92,7 +92,7 @@ vec3 mark_point(int mark, float t) {
     if (mark == 1) return polar(0.5 * PI, t);
     if (mark == 2) return luminaire();
     if (mark == 3) return mix(luminaire(), meter(), t);
-    if (mark == 4) return meter() + 0.5 * t * (meter_s > 0.0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+    if (mark == 4) return meter() + 0.65 * t * (meter_s > 0.0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0));
     return mix(luminaire(), vec3(0.0, -setback, 0.0), t);
 }
 
@@ -137,7 +137,7 @@ Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&
             Mark("plane C90", colour="l", line="dashed", segments=144),
             Mark("luminaire", colour="exact", tip="dot", width=1.4),
             Mark("to the meter", colour="l", line="dotted", width=0.9),
-            Mark("normal of the meter", colour="n", tip="arrow", label="n"),
+            Mark("normal of the meter", colour="n", tip="arrow", width=1.6, label="n"),
             Mark("drop", colour="quiet", line="dashed", width=0.7),
         ),
         labels=(Label("1 lx", 2), Label("10", 3), Label("100", 4), Label("1000", 5)),

@@ -62,7 +62,9 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
     if arg.name not in args:
         raise Usage(f"{function} needs {arg.name}.{near(arg.name, args)}")
     data = np.asarray(args[arg.name], np.int32 if arg.type == "int" else np.float32)
-    if arg.type == "sampler2D" and data.ndim == 2:
+    if arg.type == "sampler2D" and arg.name != "triangles":
+        if data.ndim != 2:
+            raise Usage(f"{function}: {arg.name} is one table of rows and columns for all points, not {data.shape}.")
         return data
     tail: tuple[int, ...] = (3, 3) if arg.type == "sampler2D" else (WIDTH[arg.type],) if WIDTH[arg.type] > 1 else ()
     if arg.type == "sampler2D" or arg.size:
