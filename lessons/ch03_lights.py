@@ -24,7 +24,7 @@ from app.lesson import (
     Value,
 )
 
-IES_LAMPS = ("downlight", "wall washer", "street light", "flood", "uplight", "bare lamp")
+IES_LAMPS = ("down", "wall", "street", "flood", "up", "bare")
 IES_FILES = ("downlight", "wall_washer", "street_light", "flood", "uplight", "bare")
 
 IES_GLSL = """
@@ -99,7 +99,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(luminaire(), 1.0);
     if (i == 1) return vec4(meter(), 1.0);
-    return vec4(WIDE + 0.98, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
+    return vec4(WIDE + 1.12, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
 }
 """
 
@@ -120,9 +120,9 @@ $$E = \frac{I(\theta, C)\,\cos\beta}{r^2}$$
 
 with lines of equal lux. Drag the luminaire and the meter.
 
-Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&height=3.6), the
-[flood aimed up](?lamp=flood&aim=70), the [uplight](?lamp=uplight&height=1.6), the
-[bare lamp](?lamp=bare-lamp). One of these files does not emit what it declares. Drop your own on the window.
+Try the [downlight](?lamp=down), the [street light](?lamp=street&height=3.6), the
+[flood aimed up](?lamp=flood&aim=70), the [uplight](?lamp=up&height=1.6), the
+[bare lamp](?lamp=bare). One of these files does not emit what it declares. Drop your own on the window.
 """,
     scene=Scene(
         glsl=IES_GLSL,
@@ -137,12 +137,12 @@ Try the [wall washer](?lamp=wall-washer), the [street light](?lamp=street-light&
             Mark("plane C90", colour="l", line="dashed", segments=144),
             Mark("luminaire", colour="exact", tip="dot", width=1.4),
             Mark("to the meter", colour="l", line="dotted", width=0.9),
-            Mark("normal of the meter", colour="n", tip="arrow", width=1.6, label="n"),
+            Mark("normal of the meter", colour="n", tip="arrow", width=1.2, label="n"),
             Mark("drop", colour="quiet", line="dashed", width=0.7),
         ),
         labels=(Label("1 lx", 2), Label("10", 3), Label("100", 4), Label("1000", 5)),
         handles=(Handle("the luminaire", 0, ("height", "setback")), Handle("the lux meter", 1, ("meter_x", "meter_s"))),
-        camera=Camera(azimuth=-60, elevation=22, distance=12.6, target=(0.3, -1.0, 1.1)),
+        camera=Camera(azimuth=-60, elevation=22, distance=13.6, target=(0.4, -1.0, 1.1)),
         legend=(("l", "photometric solid"), ("n", "normal of the meter")),
         tables=(Table("table", IES_FILES, "lamp"),),
     ),

@@ -54,12 +54,11 @@ class Photometry:
 
     @property
     def summary(self) -> str:
-        """What a person should know at once, in one sentence, and the first warning."""
-        declared = "none declared (absolute)" if self.declared_lumens is None else f"{self.declared_lumens:g} declared"
-        planes = f"{len(self.vertical)} x {len(self.horizontal)} angles, symmetry {self.symmetry}"
-        more = f" {self.warnings[0]}" if self.warnings else ""
-        return (f"{Path(self.name).name}: {self.standard}, type {self.kind}, {planes}; lumens: {declared}, "
-                f"{self.integrated_lumens:.5g} integrated.{more}")
+        """What a person should know at once, short enough for the window's bottom line."""
+        declared = "none" if self.declared_lumens is None else f"{self.declared_lumens:g}"
+        more = f"; {len(self.warnings)} remarks, see halfway ies" if self.warnings else ""
+        return (f"{Path(self.name).name}: {self.standard}, type {self.kind}, {self.symmetry}; lm declared {declared}, "
+                f"integrated {self.integrated_lumens:.5g}{more}")
 
     @property
     def max_candela(self) -> float:
