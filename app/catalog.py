@@ -17,6 +17,7 @@ from app.quantities import TABLE, Quantity, entered, quantity
 
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+SWEPT = frozenset({"s", "t"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,12 +166,14 @@ def line_of(error: Exception, file: Path) -> int:
 
 def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     """Every twin a step calls: (where, term, the names swept there)."""
-    found = [(f"readout {r.label!r}", r.term, DATA - {"s", "t"}) for r in step.readouts]
-    found.append(("prediction", step.ask.truth, DATA - {"s", "t"}))
+    data = DATA - SWEPT | {table.uniform for table in step.scene.tables}
+    found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
+    found.append(("prediction", step.ask.truth, data))
     if isinstance(step.plot, Curves):
-        found += [(f"curve {c.label!r}", c.term, frozenset({"triangles", step.plot.sweep})) for c in step.plot.curves]
+        found += [(f"curve {c.label!r}", c.term, data | {step.plot.sweep}) for c in step.plot.curves]
     if isinstance(step.plot, Figure):
-        found += [(f"sheet {s.label!r}", term, DATA) for s in step.plot.sheets for term in (s.term, s.height) if term]
+        found += [(f"sheet {s.label!r}", term, data | SWEPT) for s in step.plot.sheets for term in (s.term, s.height)
+                  if term]
     return found
 
 
@@ -186,6 +189,7 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     names = [*listed, *(name for name in shader.uniforms(scene.glsl) if name in TABLE)]
     if any(surface.mesh for surface in scene.surfaces):
         names += ["shape"] * (len(scene.meshes) > 1) + ["eye"]
+    names += [table.choice for table in scene.tables if table.choice]
     if scene.dots and isinstance(scene.dots.count, str):
         names.append(scene.dots.count)
     for _, term, swept in terms(step):

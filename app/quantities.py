@@ -83,6 +83,20 @@ TABLE: dict[str, Quantity] = {
     "shape": Quantity("k", "", 0, 9, 0, "which of the scene's meshes", kind="int"),
     "x": Quantity("x", "m", -2.0, 2.0, 0.0, "the eye, sideways"),
     "y": Quantity("y", "m", -2.0, 2.0, 0.0, "the eye, up or down"),
+    # measured luminaires (IES)
+    "lamp": Quantity("k", "", 0, 9, 0, "which of the luminaires", kind="int"),
+    "setback": Quantity("a", "m", 0.2, 5.0, 1.0, "distance of the luminaire from the wall", extreme=(1e-3, 1e3)),
+    "turn": Quantity(r"\alpha", "rad", -PI, PI, 0.0, "turn of the luminaire around the vertical"),
+    "aim": Quantity(r"\delta", "rad", 0.0, PI / 2, 0.0, "angle of the luminaire's axis from straight down"),
+    "meter_x": Quantity("x_E", "m", -3.0, 3.0, 0.0, "the lux meter, sideways"),
+    "meter_s": Quantity("s_E", "m", -4.5, 3.0, 1.0, "the lux meter: up the wall, or below 0 out on the floor"),
+    "plane": Quantity("C", "rad", 0.0, PI, 0.0, "azimuth of a photometric plane"),
+    "way": Quantity("d", "m", -4.0, 4.0, (0.0, 0.0, -2.0), "from the luminaire to the lit point", kind="vec3"),
+    "normal": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit normal of the lit surface", kind="vec3"),
+    "candela_below": Quantity("I_0", "cd", 0.0, 1000.0, 100.0, "intensity at the smaller angle of a ring"),
+    "candela_above": Quantity("I_1", "cd", 0.0, 1000.0, 80.0, "intensity at the larger angle of a ring"),
+    "row": Quantity("k", "", 1, 2, 1, "1: angles from the pole; 2: azimuths", kind="int"),
+    "angle": Quantity(r"\gamma", "deg", -180.0, 180.0, 30.0, "an angle as a photometric file has it"),
 }
 
 

@@ -2,7 +2,7 @@
 
 u is half the distance of 1 to the next number of the type. cond is the relative condition number: inputs off by u each
 move the value by up to cond u, so rounding the inputs alone costs that much. kappa is how many times larger the terms
-of a sum are than the sum itself; only the functions of TERMS have one.
+of a sum are than the sum itself, or what it costs to round a step on the way; only the functions of TERMS have one.
 """
 
 from collections.abc import Callable
@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.optics import twin
+from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle import _dot, _fan
@@ -18,6 +19,7 @@ from app.quantities import TABLE
 U = {"float64": 2.0**-53, "float32": 2.0**-24}
 FACTOR = 8.0
 STEP = 2.0**-24  # of the differences: the change that rounding to float32 makes
+CONSTANT = ("triangles", "table")  # data, not inputs: they are given as they are
 SMALLEST = {"float64": 1000 * 2.0**-1022, "float32": 1000 * 2.0**-126}  # below: compared absolutely
 
 
@@ -35,7 +37,7 @@ def moved(function: str, args: dict, is_vector: bool = False) -> np.ndarray:
     total = np.zeros_like(norm(f(**args), is_vector))
     for name, given in args.items():
         x = np.asarray(given)
-        if x.dtype.kind != "f" or name == "triangles":
+        if x.dtype.kind != "f" or name in CONSTANT:
             continue
         for step in steps(name, x):
             with np.errstate(invalid="ignore"):  # an infinite value
@@ -109,11 +111,28 @@ def _ratio_terms(distance, tilt, width):
     return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
 
 
+def _towards_terms(table, way, turn, aim):
+    """The direction passes through its angles: at the end of a beam rounding them costs more than rounding the way."""
+    theta, phi = _aimed(way, turn, aim)
+    return moved("ies_candela", {"table": table, "theta": theta, "phi": phi})
+
+
+def _illuminance_terms(table, way, normal, turn, aim):
+    return _towards_terms(table, way, turn, aim) * _falloff(way, normal)
+
+
+def _room_terms(table, height, setback, turn, aim, meter_x, meter_s):
+    return _illuminance_terms(table, *_meter(height, setback, meter_x, meter_s), turn, aim)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,
     "projected_solid_angle_sphere": _sphere_terms,
+    "ies_towards": _towards_terms,
+    "ies_illuminance": _illuminance_terms,
+    "ies_room_illuminance": _room_terms,
     "solid_angle_disk": _disk_terms,
     "solid_angle_polygon": _polygon_terms,
     "solid_angle_outline": _outline_terms,

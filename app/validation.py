@@ -177,6 +177,12 @@ def scene_faults(found: LoadedStep) -> Faults:
     for name in scene.meshes:
         if name not in BUILT_IN:
             yield f'"{name}"', f"there is no mesh {name}.{near(name, BUILT_IN)}"
+    from app.tables import names as luminaires
+
+    for table in scene.tables:
+        for name in table.files:
+            if name not in luminaires():
+                yield f'"{name}"', f"there is no luminaire {name} in lessons/ies.{near(name, luminaires())}"
     if any(surface.mesh for surface in scene.surfaces) and not scene.meshes:
         yield "mesh=True", "a surface shows a mesh, and the scene names none in `meshes`."
 

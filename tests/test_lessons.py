@@ -122,10 +122,11 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
             elif more.get("triangles") is not mesh:
                 stage.place(more.get("triangles"))
             mesh = more.get("triangles")
-            stage.draw(values, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
+            whole = values | more
+            stage.draw(whole, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
             assert not stage.faults(), f"{stage.faults()} at {values}"
-            assert np.all(np.isfinite(stage.probes(values)))
-            assert all(np.all(np.isfinite(point)) for point in stage.anchors(values).values())
+            assert np.all(np.isfinite(stage.probes(whole)))
+            assert all(np.all(np.isfinite(point)) for point in stage.anchors(whole).values())
     finally:
         if stage:
             stage.release()
@@ -135,7 +136,8 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
 @pytest.mark.parametrize("theme", THEMES)
 def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     values = defaults(found)
-    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), data(found, values).get("triangles"))
+    values |= data(found, values)
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     stage.draw(values, found.step.scene.camera, (192, 192), THEMES[theme])
     pixels = stage.pixels().reshape(-1, 3)
     stage.release()

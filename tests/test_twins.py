@@ -7,6 +7,7 @@ from app import optics, shader
 from app.gpu.context import program
 from app.gpu.evaluate import WIDTH, evaluate, point_program
 from app.quantities import TABLE
+from app.tables import built_in
 from app.tolerance import FACTOR, ratio
 
 CATALOGUE = shader.catalogue()
@@ -107,6 +108,7 @@ def not_too_near(a: dict, rng) -> dict:
 
 JOINT = {  # arguments that belong together
     "fibonacci_direction": below_samples,
+    "ies_ring_flux": between_the_poles,
     "meets_patch": unit,
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
@@ -125,7 +127,9 @@ def arguments(name: str, rng: np.random.Generator, count: int = POINTS) -> dict:
     signature = CATALOGUE[name][1]
     args = {}
     for arg in signature.args:
-        if arg.type == "sampler2D":
+        if arg.name == "table":
+            args[arg.name] = f32(built_in("corner").table)
+        elif arg.type == "sampler2D":
             args[arg.name] = f32(cube() + 0.25)
         elif arg.size:
             args[arg.name] = planar(rng)
