@@ -84,7 +84,7 @@ TABLE: dict[str, Quantity] = {
     "x": Quantity("x", "m", -2.0, 2.0, 0.0, "the eye, sideways"),
     "y": Quantity("y", "m", -2.0, 2.0, 0.0, "the eye, up or down"),
     # measured luminaires (IES)
-    "lamp": Quantity("k", "", 0, 9, 0, "which of the luminaires", kind="int"),
+    "luminaire": Quantity("k", "", 0, 9, 0, "which of the luminaires", kind="int"),
     "setback": Quantity("a", "m", 0.2, 5.0, 1.0, "distance of the luminaire from the wall", extreme=(1e-3, 1e3)),
     "turn": Quantity(r"\alpha", "rad", -PI, PI, 0.0, "turn of the luminaire around the vertical"),
     "aim": Quantity(r"\delta", "rad", 0.0, PI / 2, 0.0, "angle of the luminaire's axis from straight down"),

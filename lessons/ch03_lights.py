@@ -120,9 +120,9 @@ $$E = \frac{I(\theta, C)\,\cos\beta}{r^2}$$
 
 with lines of equal lux. Drag the luminaire and the meter.
 
-Try the [downlight](?lamp=down), the [street light](?lamp=street&height=3.6), the
-[flood aimed up](?lamp=flood&aim=70), the [uplight](?lamp=up&height=1.6), the
-[bare lamp](?lamp=bare). One of these files does not emit what it declares. Drop your own on the window.
+Try the [downlight](?luminaire=down), the [street light](?luminaire=street&height=3.6), the
+[flood aimed up](?luminaire=flood&aim=70), the [uplight](?luminaire=up&height=1.6), the
+[bare lamp](?luminaire=bare). One of these files does not emit what it declares. Drop your own on the window.
 """,
     scene=Scene(
         glsl=IES_GLSL,
@@ -144,7 +144,7 @@ Try the [downlight](?lamp=down), the [street light](?lamp=street&height=3.6), th
         handles=(Handle("the luminaire", 0, ("height", "setback")), Handle("the lux meter", 1, ("meter_x", "meter_s"))),
         camera=Camera(azimuth=-60, elevation=22, distance=13.6, target=(0.4, -1.0, 1.1)),
         legend=(("l", "photometric solid"), ("n", "normal of the meter")),
-        tables=(Table("table", IES_FILES, "lamp"),),
+        tables=(Table("table", IES_FILES, "luminaire"),),
     ),
     plot=Figure(
         title="Photometric solid",
@@ -166,7 +166,7 @@ Try the [downlight](?lamp=down), the [street light](?lamp=street&height=3.6), th
         unit="lm",
         low=0.0,
         high=6000.0,
-        sets={"lamp": 5},
+        sets={"luminaire": 5},
         told="3140: about π times what it declares. Its author took the 1000 cd straight down for lumens.",
     ),
     notes="""
@@ -183,7 +183,7 @@ street light keeps only the planes from 90° to 270°: the rest is their mirror 
     honesty="Integrated: exact for intensities joined by straight lines, 3139.60 lm for the bare lamp; the smooth "
             "cosine has 1000π = 3141.59 lm. Far field, direct light only: no shadows, nothing reflected.",
     values=(
-        Value("lamp", 1, choices=IES_LAMPS),
+        Value("luminaire", 1, choices=IES_LAMPS),
         Value("height", 2.4, low=0.3, high=3.6, scale="linear"),
         Value("setback", 1.0, low=0.3, high=3.0),
         Value("turn", 0.0, low=-180.0, high=180.0),

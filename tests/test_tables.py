@@ -78,9 +78,9 @@ def test_built_in_tables_by_name():
     with pytest.raises(Usage, match="Did you mean downlight"):
         tables.built_in("downlite")
     own = tables.built_in("flood")
-    chosen = tables.chosen(IES.step.scene, {"lamp": 0})
+    chosen = tables.chosen(IES.step.scene, {"luminaire": 0})
     assert chosen["table"] is tables.built_in("downlight").table
-    assert tables.chosen(IES.step.scene, {"lamp": 0}, own)["table"] is own.table
+    assert tables.chosen(IES.step.scene, {"luminaire": 0}, own)["table"] is own.table
 
 
 def test_inspection_counts_tables_and_says_what_is_left_out():
@@ -96,7 +96,7 @@ def test_tables_that_do_not_fit_are_faults():
     idle = replace(IES.step, scene=replace(IES.step.scene, tables=(*IES.step.scene.tables, Table("idle", ("bare",)))))
     told = inspect(replace(IES, step=idle)).faults
     assert any("the table idle is named and not used" in sentence for sentence in told)
-    wrong = replace(IES.step, scene=replace(IES.step.scene, tables=(Table("table", ("barre",), "lamp"),)))
+    wrong = replace(IES.step, scene=replace(IES.step.scene, tables=(Table("table", ("barre",), "luminaire"),)))
     assert any("there is no luminaire barre" in sentence and "bare" in sentence
                for _, sentence in faults(replace(IES, step=wrong)))
 

@@ -293,7 +293,7 @@ def test_a_luminaire_is_dropped_and_a_bad_one_explained(tmp_path):
         until(engine, window, lambda: window.plot.of == "lights/ies")
         assert not window.plot.fault
         before = on_gl(engine, window, window.scene.stage.pixels)
-        engine.item_click("//Scene/up##lamp")
+        engine.item_click("//Scene/up##luminaire")
         frames(engine, 4)
         assert window.ies is None and window.values["table"] is built_in("uplight").table
         assert (on_gl(engine, window, window.scene.stage.pixels) != before).any()

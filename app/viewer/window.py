@@ -301,7 +301,7 @@ class Window:
             found = read(path)
             if not self.session.current.step.scene.tables:
                 self.session.go(next(s.id for s in self.session.steps if s.step.scene.tables))
-            self.ies, self.lamp = found, int(self.session.values.get("lamp", 0))  # type: ignore[arg-type]
+            self.ies, self.lamp = found, int(self.session.values.get("luminaire", 0))  # type: ignore[arg-type]
             self.message = found.summary
             self.show_welcome = False
         except Problem as problem:
@@ -324,7 +324,7 @@ class Window:
     def set_stage(self) -> None:
         """A stage for the step that is shown, with its mesh; made again when either changes."""
         found = self.session.current
-        if self.ies is not None and self.session.values.get("lamp", self.lamp) != self.lamp:
+        if self.ies is not None and self.session.values.get("luminaire", self.lamp) != self.lamp:
             self.ies = None  # a luminaire was chosen: back to the scene's own
         self.tables = tables.chosen(found.step.scene, self.session.values, self.ies)
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
