@@ -10,7 +10,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 from app import shader
-from app.lesson import Chapter, Curves, Figure, Number, Step, Term, Value
+from app.lesson import Chapter, Curves, Figure, Ledger, Number, Step, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import TABLE, Quantity, entered, quantity
@@ -158,6 +158,9 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
         found += [(f"curve {c.label!r}", c.term, frozenset({"triangles", step.plot.sweep})) for c in step.plot.curves]
     if isinstance(step.plot, Figure):
         found += [(f"sheet {s.label!r}", term, DATA) for s in step.plot.sheets for term in (s.term, s.height) if term]
+    if isinstance(step.plot, Ledger):
+        found += [(f"row {r.label!r}", r.term, DATA - {"s", "t"}) for column in step.plot.columns for r in column]
+        found += [("balance", term, DATA - {"s", "t"}) for term in step.plot.balance or ()]
     return found
 
 

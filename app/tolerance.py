@@ -128,6 +128,9 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_mesh": _mesh_terms,
     "irradiance_sphere": lambda radiance, radius, distance, theta: radiance * _sphere_terms(radius, distance, theta),
     "irradiance_piece": _piece_terms,
+    "irradiance_sensor": lambda radiance, half_angle, theta: radiance * _sphere_terms(np.sin(half_angle), 1.0, theta),
+    "radiant_energy_sensor": lambda radiance, patch_area, half_angle, theta, duration: (
+        radiance * patch_area * duration * _sphere_terms(np.sin(half_angle), 1.0, theta)),
     "radiant_flux_sensor": lambda radiance, patch_area, half_angle, theta: (
         radiance * patch_area * _sphere_terms(np.sin(half_angle), 1.0, theta)),
     "radiance_sensor": lambda radiance, patch_area, half_angle, theta: (

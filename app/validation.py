@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterator
 
 from app import prose, shader
 from app.catalog import Loaded, LoadedStep, spec_of, terms
-from app.lesson import Curves, Faces, Number, Scene
+from app.lesson import Curves, Faces, Ledger, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
 from app.quantities import TABLE, entered
@@ -84,6 +84,10 @@ def faults(found: LoadedStep) -> Faults:
             yield against, f"there is no readout {against!r} to compare with.{near(against, labels)}"
     if isinstance(step.plot, Faces) and not any(surface.mesh for surface in step.scene.surfaces):
         yield "Faces(", "the plot shows a mesh, and the scene has none."
+    if isinstance(step.plot, Ledger):
+        from app import ledger
+
+        yield from ledger.faults(step.plot)
 
 
 def value_faults(found: LoadedStep) -> Faults:

@@ -114,6 +114,7 @@ JOINT = {  # arguments that belong together
     "fibonacci_direction": below_samples,
     "meets_patch": unit,
     "radiance_sensor": opened,
+    "radiance_sensor_projected": opened,
     "radiance_twice_as_far": opened,
     "radiant_intensity_cone": opened,
     "projected_solid_angle_patch": not_too_near,

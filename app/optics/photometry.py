@@ -158,13 +158,13 @@ def planck_radiance_naive(wavelength, temperature):
 def led_spectrum(wavelength):
     """The relative spectrum of a white LED: a blue line and the broad glow of a phosphor.
 
-    0.75 exp(-((wavelength - 452) / 9)^2 / 2) + exp(-((wavelength - 575) / 50)^2 / 2)
+    0.9 exp(-((wavelength - 452) / 10)^2 / 2) + exp(-((wavelength - 585) / 58)^2 / 2)
 
     wavelength (...) nm. Returns (...), about 1 at most. Errors: a fit by eye to the usual shape, no lamp's measurement.
     Source: ours.
     """
     wavelength = np.asarray(wavelength, float)
-    return 0.75 * np.exp(-0.5 * ((wavelength - 452) / 9) ** 2) + np.exp(-0.5 * ((wavelength - 575) / 50) ** 2)
+    return 0.9 * np.exp(-0.5 * ((wavelength - 452) / 10) ** 2) + np.exp(-0.5 * ((wavelength - 585) / 58) ** 2)
 
 
 def lamp_spectrum(lamp, wavelength, temperature):

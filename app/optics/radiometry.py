@@ -131,6 +131,16 @@ def irradiance_cap(radiance, half_angle):
     return np.asarray(radiance, float) * projected_solid_angle_cone(half_angle)
 
 
+def irradiance_without_cosine(radiance, half_angle):
+    """What one gets for the irradiance of a cap of sky when the cosine is forgotten.
+
+    radiance 4 pi sin^2(half_angle / 2); 2 pi radiance for the whole sky, twice the truth
+
+    radiance (...) W/(m^2 sr), half_angle (...) rad. Returns (...) W/m^2. Errors: on purpose. Source: a common mistake.
+    """
+    return np.asarray(radiance, float) * solid_angle_cone(half_angle)
+
+
 def irradiance_sphere(radiance, radius, distance, theta):
     """The irradiance of a glowing sphere, the horizon cut off.
 
@@ -193,6 +203,17 @@ def irradiance_piece(sky_piece, radiance, opening, theta):
     return (np.asarray(radiance, float) * seen)[()]
 
 
+def irradiance_sensor(radiance, half_angle, theta):
+    """The irradiance of a surface that sees an even radiance through a round opening, its normal turned from the axis.
+
+    radiance pi sin^2(half_angle) cos theta while all of the opening is above the surface's horizon
+
+    radiance (...) W/(m^2 sr), half_angle (...) 0 .. pi/2, theta (...) rad. Returns (...) W/m^2.
+    Errors: those of projected_solid_angle_sphere. Source: deck, Basic Radiometric Quantities (3).
+    """
+    return irradiance_sphere(radiance, np.sin(half_angle), 1.0, theta)
+
+
 def radiant_flux_sensor(radiance, patch_area, half_angle, theta):
     """The flux on a small sensor that sees an even radiance through a round opening, its normal turned from the axis.
 
@@ -201,7 +222,18 @@ def radiant_flux_sensor(radiance, patch_area, half_angle, theta):
     radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle (...) 0 .. pi/2, theta (...) rad. Returns (...) W.
     Errors: those of projected_solid_angle_sphere. Source: deck, Basic Radiometric Quantities (2).
     """
-    return np.asarray(patch_area, float) * irradiance_sphere(radiance, np.sin(half_angle), 1.0, theta)
+    return np.asarray(patch_area, float) * irradiance_sensor(radiance, half_angle, theta)
+
+
+def radiant_energy_sensor(radiance, patch_area, half_angle, theta, duration):
+    """The energy that falls on such a sensor in a time.
+
+    radiant_flux_sensor duration
+
+    radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle (...), theta (...) rad, duration (...) s. Returns (...) J.
+    Errors: those of the flux. Source: deck, Basic Radiometric Quantities (1).
+    """
+    return radiant_flux_sensor(radiance, patch_area, half_angle, theta) * np.asarray(duration, float)
 
 
 def radiance_sensor(radiance, patch_area, half_angle, theta):
@@ -216,6 +248,18 @@ def radiance_sensor(radiance, patch_area, half_angle, theta):
     """
     flux = radiant_flux_sensor(radiance, patch_area, half_angle, theta)
     return flux / np.asarray(patch_area, float) / solid_angle_cone(half_angle) / np.abs(np.cos(theta))
+
+
+def radiance_sensor_projected(radiance, patch_area, half_angle, theta):
+    """The radiance a sensor reports when its flux is divided by area and projected solid angle.
+
+    radiant_flux_sensor / (patch_area projected solid angle): the radiance itself, at any opening
+
+    radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle > 0, theta (...) rad. Returns (...) W/(m^2 sr); 0 where
+    all of the opening is below the sensor's horizon. Errors: none. Source: Nicodemus 1963, Radiance.
+    """
+    flux, seen = radiant_flux_sensor(radiance, patch_area, half_angle, theta), irradiance_sensor(1.0, half_angle, theta)
+    return np.where(seen > 0, flux / np.asarray(patch_area, float) / np.where(seen > 0, seen, 1), 0.0)[()]
 
 
 def radiant_intensity_spot(radiance, half_angle, distance):
@@ -273,6 +317,17 @@ def radiance_lambert(rho, irradiance):
     rho (...) 0 .. 1, irradiance (...) W/m^2. Returns (...) W/(m^2 sr). Errors: none. Source: Lambert 1760, Photometria.
     """
     return radiant_exitance_reflected(rho, irradiance) / pi
+
+
+def intensity_per_area_lambert(rho, irradiance, theta):
+    """The intensity of a matt surface per area of it: what a direction carries off.
+
+    rho irradiance / pi max(0, cos theta)
+
+    rho (...) 0 .. 1, irradiance (...) W/m^2, theta (...) rad. Returns (...) W/(m^2 sr). Errors: none.
+    Source: Lambert 1760, Photometria.
+    """
+    return radiance_lambert(rho, irradiance) * _cosine(theta)
 
 
 def radiance_lambert_over_hemisphere(rho, irradiance):

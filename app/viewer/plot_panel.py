@@ -3,7 +3,7 @@
 import moderngl
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves
+from app.lesson import Camera, Curves, Ledger
 from app.plots import PlotDied, PlotProcess
 from app.problem import Problem
 from app.theme import rgb
@@ -103,7 +103,7 @@ class PlotPanel:
     def turn(self) -> None:
         """A plot in space is turned like the scene."""
         found = self.app.session.current
-        if isinstance(found.step.plot, Curves):
+        if isinstance(found.step.plot, Curves | Ledger):
             return
         from dataclasses import replace
 

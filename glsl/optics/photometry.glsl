@@ -84,8 +84,8 @@ float planck_radiance_naive(float wavelength, float temperature) {
 
 float led_spectrum(float wavelength) {
     // Ours, fitted by eye: a blue line and the glow of a phosphor
-    float blue = (wavelength - 452.0) / 9.0, glow = (wavelength - 575.0) / 50.0;
-    return 0.75 * exp(-0.5 * blue * blue) + exp(-0.5 * glow * glow);
+    float blue = (wavelength - 452.0) / 10.0, glow = (wavelength - 585.0) / 58.0;
+    return 0.9 * exp(-0.5 * blue * blue) + exp(-0.5 * glow * glow);
 }
 
 float lamp_spectrum(int lamp, float wavelength, float temperature) {

@@ -54,6 +54,11 @@ float irradiance_cap(float radiance, float half_angle) {
     return radiance * projected_solid_angle_cone(half_angle);
 }
 
+float irradiance_without_cosine(float radiance, float half_angle) {
+    // A common mistake: radiance times solid angle
+    return radiance * solid_angle_cone(half_angle);
+}
+
 float irradiance_sphere(float radiance, float radius, float distance, float theta) {
     // Snyder 1969: radiance times projected solid angle
     return radiance * projected_solid_angle_sphere(radius, distance, theta);
@@ -84,9 +89,25 @@ float irradiance_piece(int sky_piece, float radiance, float opening, float theta
     return radiance * projected_solid_angle_patch(theta, 1.0, 0.0, 2.0 * size);
 }
 
+float irradiance_sensor(float radiance, float half_angle, float theta) {
+    // Basic Radiometric Quantities (3): an even radiance through a round opening
+    return irradiance_sphere(radiance, sin(half_angle), 1.0, theta);
+}
+
 float radiant_flux_sensor(float radiance, float patch_area, float half_angle, float theta) {
-    // Basic Radiometric Quantities (2): all of an even radiance that comes through a round opening
-    return patch_area * irradiance_sphere(radiance, sin(half_angle), 1.0, theta);
+    // Basic Radiometric Quantities (2): on a small sensor
+    return patch_area * irradiance_sensor(radiance, half_angle, theta);
+}
+
+float radiant_energy_sensor(float radiance, float patch_area, float half_angle, float theta, float duration) {
+    // Basic Radiometric Quantities (1): flux times time
+    return radiant_flux_sensor(radiance, patch_area, half_angle, theta) * duration;
+}
+
+float radiance_sensor_projected(float radiance, float patch_area, float half_angle, float theta) {
+    // Nicodemus 1963: flux over area and projected solid angle, exact for any opening
+    float seen = irradiance_sensor(1.0, half_angle, theta);
+    return seen > 0.0 ? radiant_flux_sensor(radiance, patch_area, half_angle, theta) / patch_area / seen : 0.0;
 }
 
 float radiance_sensor(float radiance, float patch_area, float half_angle, float theta) {
@@ -120,6 +141,11 @@ float radiant_exitance_absorbed(float rho, float irradiance) {
 float radiance_lambert(float rho, float irradiance) {
     // Lambert 1760: B / pi, in all directions the same
     return rho * irradiance / PI;
+}
+
+float intensity_per_area_lambert(float rho, float irradiance, float theta) {
+    // Lambert 1760: the cosine law
+    return radiance_lambert(rho, irradiance) * max(0.0, cos(theta));
 }
 
 float radiance_lambert_over_hemisphere(float rho, float irradiance) {
