@@ -94,7 +94,9 @@ vec3 shade(Surface s) {
 
 vec3 dot_point(int i) {
     int k = i < EACH ? 0 : 1, j = i - k * EACH;
-    int mixed = (j * 431) % EACH;                          // neighbours leave in different directions
+    uint h = uint(j) * 747796405u + 2891336453u;           // O'Neill 2014, PCG: neighbours leave in any two directions
+    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+    int mixed = int(((h >> 22u) ^ h) % uint(EACH));
     float left = lasts(k) * (float(j) + 0.5) / float(EACH); // when this one left
     float r = 0.17 + SPEED * max(0.0, time - left);
     return lamp_at(k) + min(r, 2.0 * REACH) * fibonacci_direction(mixed, EACH);
@@ -120,11 +122,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(
-            Surface("flash", cells=(32, 16)),
-            Surface("bulb", cells=(32, 16)),
-            Surface("flash's energy", cells=(48, 2)),
-            Surface("bulb's energy", cells=(48, 2)),
-            Surface("flash's tank", cells=(48, 10), opacity=0.22),
+            Surface("flash", cells=(32, 16)), Surface("bulb", cells=(32, 16)), Surface("flash's energy", cells=(48, 2)),
+            Surface("bulb's energy", cells=(48, 2)), Surface("flash's tank", cells=(48, 10), opacity=0.22),
             Surface("bulb's tank", cells=(48, 10), opacity=0.22),
         ),
         marks=(Mark("to the flash's tank", colour="quiet", line="dotted"),
@@ -137,10 +136,8 @@ vec4 probe(int i) {
     plot=Curves(
         title="Energy that has left, against time",
         sweep="time",
-        curves=(
-            Curve("flash", Term("radiant_energy_emitted")),
-            Curve("bulb, 1 s", Term("radiant_energy_emitted", {"duration": 1.0}), role="estimate"),
-        ),
+        curves=(Curve("flash", Term("radiant_energy_emitted")),
+                Curve("bulb, 1 s", Term("radiant_energy_emitted", {"duration": 1.0}), role="estimate")),
         y_label="J",
     ),
     readouts=(
@@ -234,17 +231,10 @@ vec4 probe(int i) {
     return vec4(0.62, 0.0, -0.12, 1.0);
 }
 """,
-        surfaces=(
-            Surface("lamp", cells=(48, 1)),
-            Surface("cap", cells=(96, 24)),
-            Surface("cone", cells=(96, 1), opacity=0.35),
-            Surface("balloon", cells=(64, 24), opacity=0.2),
-        ),
-        marks=(
-            Mark("axis", colour="n", tip="arrow", label="n"),
-            Mark("rim", colour="l", segments=96, width=1.5),
-            *(Mark(f"ray {i}", colour="l", tip="arrow", width=0.8) for i in (-3, -2, -1, 0, 1, 2, 3)),
-        ),
+        surfaces=(Surface("lamp", cells=(48, 1)), Surface("cap", cells=(96, 24)),
+                  Surface("cone", cells=(96, 1), opacity=0.35), Surface("balloon", cells=(64, 24), opacity=0.2)),
+        marks=(Mark("axis", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
+               *(Mark(f"ray {i}", colour="l", tip="arrow", width=0.8) for i in (-3, -2, -1, 0, 1, 2, 3))),
         labels=(Label("the lamp", 2),),
         handles=(Handle("the cone's rim", 0, ("half_angle",)), Handle("the cap", 1, ("distance",))),
         camera=Camera(azimuth=-90, elevation=16, distance=7.4, target=(0.0, 0.0, 0.9)),
@@ -253,10 +243,8 @@ vec4 probe(int i) {
     plot=Curves(
         title="Flux in the cone over its solid angle",
         sweep="half_angle",
-        curves=(
-            Curve("on the axis, Φ/π", Term("radiant_intensity_lambert", {"theta": 0.0})),
-            Curve("mean over the cone", Term("radiant_intensity_lambert_cone"), role="estimate"),
-        ),
+        curves=(Curve("on the axis, Φ/π", Term("radiant_intensity_lambert", {"theta": 0.0})),
+                Curve("mean over the cone", Term("radiant_intensity_lambert_cone"), role="estimate")),
         y_label="W/sr",
     ),
     readouts=(
@@ -364,24 +352,16 @@ vec4 probe(int i) {
     return vec4(distance, 0.0, 1.5, 1.0);
 }
 """,
-        surfaces=(
-            Surface("wall", cells=(2, 2)),
-            Surface("sensor", cells=(6, 6)),
-            Surface("aperture", cells=(64, 2), opacity=0.8),
-            Surface("seen", cells=(64, 1), opacity=0.28),
-            Surface("spot", cells=(64, 1)),
-        ),
-        marks=(
-            Mark("normal", colour="n", tip="arrow", label="n"),
-            Mark("axis", colour="l", tip="sun", line="dashed"),
-            Mark("rim", colour="exact", segments=64, width=1.3),
-            Mark("spot's rim", colour="l", segments=64),
-            Mark("turned", colour="exact", segments=24, label="θ", label_at=0.5),
-        ),
+        surfaces=(Surface("wall", cells=(2, 2)), Surface("sensor", cells=(6, 6)),
+                  Surface("aperture", cells=(64, 2), opacity=0.8), Surface("seen", cells=(64, 1), opacity=0.28),
+                  Surface("spot", cells=(64, 1))),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("axis", colour="l", tip="sun", line="dashed"),
+               Mark("rim", colour="exact", segments=64, width=1.3), Mark("spot's rim", colour="l", segments=64),
+               Mark("turned", colour="exact", segments=24, label="θ", label_at=0.5)),
         labels=(Label("sensor A", 3, "v"), Label("opening ω", 4), Label("wall L", 5, "l")),
         handles=(Handle("the sensor's normal", 0, ("theta",)), Handle("the opening's rim", 1, ("half_angle",)),
                  Handle("the wall", 2, ("distance",))),
-        camera=Camera(azimuth=-118, elevation=20, distance=7.6, target=(1.25, 0.0, 0.05)),
+        camera=Camera(azimuth=-142, elevation=24, distance=7.6, target=(1.25, 0.0, 0.05)),
     ),
     plot=Ledger(
         title="All six quantities",
@@ -468,6 +448,7 @@ float lit(vec3 d) {
 vec3 surface_point(int surface, vec2 s) {
     int k = surface % 2;
     if (surface < 2) return dome_at(k) + cap_point(0.5 * PI, s.x, s.y);
+    if (surface > 5) return dome_at(k) + 0.995 * cap_point(0.5 * PI, s.x, s.y);
     if (surface < 4) return dome_at(k) + vec3(s.y * cos(2.0 * PI * s.x), s.y * sin(2.0 * PI * s.x), 0.0);
     return dome_at(k) + vec3(0.24 * s - 0.12, 0.012);
 }
@@ -475,12 +456,13 @@ vec3 surface_point(int surface, vec2 s) {
 vec3 shade(Surface s) {
     int k = s.id % 2;
     vec3 off = s.position - dome_at(k);
-    if (s.id > 3) return palette[COLOUR_N];
-    if (s.id > 1) return mix(mix(background, palette[COLOUR_QUIET], 0.3), palette[COLOUR_QUIET], grid_lines(s.st, vec2(24.0, 6.0)) * 0.5);
+    if (s.id < 2) return glass(s.st, vec2(24.0, 6.0));
+    if (s.id < 4) return mix(mix(background, palette[COLOUR_QUIET], 0.3), palette[COLOUR_QUIET], grid_lines(s.st, vec2(24.0, 6.0)) * 0.5);
+    if (s.id < 6) return palette[COLOUR_N];
     vec3 d = normalize(off);
-    float glow = lit(d) * (k == 0 ? 1.0 : max(0.0, d.z)) * (0.45 + 0.55 * clamp(log(radiance + 1.0) / 7.0, 0.0, 1.0));
-    vec3 air = mix(background, palette[COLOUR_QUIET], 0.22);
-    return mix(mix(air, palette[COLOUR_L], glow), palette[COLOUR_EXACT], 0.22 * grid_lines(s.st, vec2(24.0, 6.0)));
+    if (lit(d) < 0.5) discard;
+    float glow = (k == 0 ? 1.0 : max(0.0, d.z)) * (0.5 + 0.5 * clamp(log(radiance + 1.0) / 7.0, 0.0, 1.0));
+    return mix(mix(background, palette[COLOUR_QUIET], 0.12), palette[COLOUR_L], glow) * (1.0 - 0.25 * grid_lines(s.st, vec2(24.0, 6.0)));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -497,18 +479,14 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(
-            Surface("sky", cells=(144, 72), opacity=0.6),
-            Surface("sky with cosine", cells=(144, 72), opacity=0.6),
-            Surface("floor left", cells=(64, 6)),
-            Surface("floor right", cells=(64, 6)),
-            Surface("patch left", cells=(1, 1)),
-            Surface("patch right", cells=(1, 1)),
+            Surface("dome left", cells=(64, 24), opacity=0.14), Surface("dome right", cells=(64, 24), opacity=0.14),
+            Surface("floor left", cells=(64, 6)), Surface("floor right", cells=(64, 6)),
+            Surface("patch left", cells=(1, 1)), Surface("patch right", cells=(1, 1)),
+            Surface("sky", cells=(96, 48)), Surface("sky with cosine", cells=(96, 48)),
         ),
         marks=(
-            Mark("normal left", colour="n", tip="arrow", label="n"),
-            Mark("normal right", colour="n", tip="arrow", label="n"),
-            Mark("ray left", colour="l", tip="arrow", width=1.4),
-            Mark("ray right", colour="l", tip="arrow", width=1.4),
+            Mark("normal", colour="n", tip="arrow", label="n"), Mark("normal right", colour="n", tip="arrow"),
+            Mark("ray left", colour="l", tip="arrow", width=1.4), Mark("ray right", colour="l", tip="arrow", width=1.4),
         ),
         labels=(Label("L: what is seen", 2), Label("L cos θ: what counts", 3)),
         handles=(Handle("the piece of sky", 0, ("theta",)),),
@@ -516,11 +494,9 @@ vec4 probe(int i) {
     ),
     plot=Curves(
         title="A cap of sky overhead, opened",
-        sweep="half_angle",
-        curves=(
-            Curve("with the cosine, πL sin²", Term("irradiance_cap")),
-            Curve("without, L ω", Term("irradiance_without_cosine"), role="printed"),
-        ),
+        sweep="opening",
+        curves=(Curve("with the cosine, πL sin²", Term("irradiance_cap", {"half_angle": "opening"})),
+                Curve("without, L ω", Term("irradiance_without_cosine", {"half_angle": "opening"}), role="printed")),
         y_label="W/m²",
     ),
     readouts=(
@@ -548,8 +524,7 @@ below does not count, the window that sets at the horizon shows it. 6 minutes.
     honesty="Exact: each piece has one radiance. The sun is shown and computed as large as you set it; the real one is "
             "0.27°. The window is a square at 1 m that faces the patch.",
     values=(Value("sky_piece", 2, choices=("overhead", "sun", "window")), Value("opening", 28.0, low=0.3, high=90.0),
-            Value("theta", 42.0, low=0.0, high=100.0), Value("radiance", 100.0),
-            Value("half_angle", 28.0, low=0.3, high=90.0, more=True)),
+            Value("theta", 42.0, low=0.0, high=100.0), Value("radiance", 100.0)),
     minutes=6,
 )
 
@@ -625,20 +600,12 @@ vec4 probe(int i) {
     return vec4(i == 2 ? -2.05 : i == 3 ? 1.98 : 2.5, -0.3, -0.14, 1.0);
 }
 """,
-        surfaces=(
-            Surface("radiance", cells=(96, 24), opacity=0.32),
-            Surface("flux by direction", cells=(64, 32), opacity=0.85),
-            Surface("patch", cells=(1, 1)),
-            Surface("E", cells=(1, 1)),
-            Surface("B", cells=(1, 1)),
-            Surface("kept", cells=(1, 1)),
-        ),
-        marks=(
-            *(Mark(f"light {i}", colour="l", tip="arrow", width=0.9) for i in range(5)),
-            Mark("to the eye", colour="v", tip="eye", width=1.4),
-            Mark("normal", colour="n", tip="arrow", label="n"),
-            Mark("angle", colour="exact", segments=24, label="θ", label_at=0.5),
-        ),
+        surfaces=(Surface("radiance", cells=(96, 24), opacity=0.32),
+                  Surface("flux by direction", cells=(64, 32), opacity=0.85), Surface("patch", cells=(1, 1)),
+                  Surface("E", cells=(1, 1)), Surface("B", cells=(1, 1)), Surface("kept", cells=(1, 1))),
+        marks=(*(Mark(f"light {i}", colour="l", tip="arrow", width=0.9) for i in range(5)),
+               Mark("to the eye", colour="v", tip="eye", width=1.4), Mark("normal", colour="n", tip="arrow", label="n"),
+               Mark("angle", colour="exact", segments=24, label="θ", label_at=0.5)),
         labels=(Label("E", 2, "l"), Label("B", 3, "v"), Label("kept", 4)),
         handles=(Handle("the eye", 0, ("theta",)), Handle("what is sent back", 1, ("rho",))),
         camera=Camera(azimuth=-90, elevation=14, distance=7.4, target=(0.1, 0.0, 0.75)),
@@ -647,10 +614,8 @@ vec4 probe(int i) {
     plot=Curves(
         title="A matt surface from every side",
         sweep="theta",
-        curves=(
-            Curve("radiance L, W/(m² sr)", Term("radiance_lambert")),
-            Curve("L cos θ, W/(m² sr)", Term("intensity_per_area_lambert"), role="estimate"),
-        ),
+        curves=(Curve("radiance L, W/(m² sr)", Term("radiance_lambert")),
+                Curve("L cos θ, W/(m² sr)", Term("intensity_per_area_lambert"), role="estimate")),
         y_label="W/(m² sr)",
     ),
     readouts=(
@@ -730,9 +695,9 @@ vec3 shade(Surface s) {
     if (s.id == 0) got = irradiance_point(PI * radius * radius * radiance, r, slant);
     else if (s.id == 1) got = irradiance_sphere(radiance, radius, r, slant);
     else got = irradiance_disk(radiance, radius, distance, length(off));
-    float stops = log(got / (PI * radiance)) / log(10.0); // powers of ten below the most a surface can get
-    float steps = abs(fract(4.0 * stops + 0.5) - 0.5) / max(fwidth(4.0 * stops), 1e-5);
-    return mix(colormap(1.0 + stops / 2.6), background, 0.5 * (1.0 - smoothstep(0.5, 1.5, steps)));
+    float share = got * distance * distance / (PI * radius * radius * radiance); // 1: what the rule says of the middle
+    float steps = abs(fract(10.0 * share + 0.5) - 0.5) / max(fwidth(10.0 * share), 1e-5);
+    return mix(colormap(share), background, 0.5 * (1.0 - smoothstep(0.5, 1.5, steps)));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -750,32 +715,22 @@ vec4 probe(int i) {
     return vec4(0.0, row(i - 2), -0.78, 1.0);
 }
 """,
-        surfaces=(
-            Surface("screen of the point", cells=(2, 2)),
-            Surface("screen of the sphere", cells=(2, 2)),
-            Surface("screen of the disk", cells=(2, 2)),
-            Surface("point", cells=(24, 12)),
-            Surface("sphere", cells=(48, 24)),
-            Surface("disk", cells=(64, 1)),
-        ),
-        marks=(
-            Mark("r of the point", colour="l", line="dashed"),
-            Mark("r of the sphere", colour="l", line="dashed"),
-            Mark("r of the disk", colour="l", line="dashed", label="r", label_at=0.55),
-            *(Mark(f"edge {k}", colour="quiet", line="dotted", width=0.8) for k in range(3)),
-        ),
+        surfaces=(Surface("screen of the point", cells=(2, 2)), Surface("screen of the sphere", cells=(2, 2)),
+                  Surface("screen of the disk", cells=(2, 2)), Surface("point", cells=(24, 12)),
+                  Surface("sphere", cells=(48, 24)), Surface("disk", cells=(64, 1))),
+        marks=(Mark("r of the point", colour="l", line="dashed"), Mark("r of the sphere", colour="l", line="dashed"),
+               Mark("r of the disk", colour="l", line="dashed", label="r", label_at=0.55),
+               *(Mark(f"edge {k}", colour="quiet", line="dotted", width=0.8) for k in range(3))),
         labels=(Label("point", 2), Label("sphere", 3), Label("disk", 4)),
         handles=(Handle("the screens", 0, ("distance",)), Handle("the lamps' rim", 1, ("radius",))),
-        camera=Camera(azimuth=-142, elevation=24, distance=9.6, target=(1.3, 0.0, -0.1)),
+        camera=Camera(azimuth=-138, elevation=30, distance=9.6, target=(0.8, 0.0, -0.1)),
     ),
     plot=Curves(
         title="Irradiance against distance",
         sweep="distance",
-        curves=(
-            Curve("disk", Term("irradiance_disk", {"height": "distance", "offset": 0.0})),
-            Curve("sphere, by its centre", Term("irradiance_sphere", {"theta": 0.0}), role="estimate"),
-            Curve("I / r²", Term("irradiance_round_far"), role="printed"),
-        ),
+        curves=(Curve("disk", Term("irradiance_disk", {"height": "distance", "offset": 0.0})),
+                Curve("sphere, by its centre", Term("irradiance_sphere", {"theta": 0.0}), role="estimate"),
+                Curve("I / r²", Term("irradiance_round_far"), role="printed")),
         y_label="W/m²",
         y_scale="log",
         x_scale="log",
@@ -796,14 +751,14 @@ vec4 probe(int i) {
         told="By (R/r)² = 0.01: one percent. That is why photometric laboratories stand five sizes away, and no nearer.",
     ),
     notes="""
-Bring the screens close and watch the isolines of the disk's screen: they open, while those of the point crowd together. Ask
+Bring the screens close: the disk's screen stays dark in the middle, the other two do not. Ask
 which lamp the real-time engine has: always the point, and the artist moves it through a table and gets a white hole. That
 the sphere is exact at every distance is Newton's theorem in another dress; nobody guesses it. Here "size" is the
 diameter; who takes the radius gets four percent. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - Measuring Light", "optics reference 2.3 and D5", "CIE 121-1996: five-times rule"),
-    honesty="Exact: closed forms of sphere and parallel disk on the axis and off it. The screens' colours are "
-            "logarithmic, from πL down over two and a half powers of ten.",
+    honesty="Exact: closed forms of sphere and parallel disk on the axis and off it. The screens show E as a share of "
+            "what I/r² says of their middle, with a line at every tenth.",
     values=(Value("distance", 1.5, low=0.45, high=5.0), Value("radius", 0.4, low=0.05, high=0.7), Value("radiance", 100.0)),
     minutes=6,
 )
@@ -821,7 +776,7 @@ Here is what it omits. [Local](?sees=0): the ball floats, its shadow is missing.
 blocked, and the shadow is pitch black. [With the wall's light](?sees=2): what the $\colour{r}{\text{wall}}$ reflects
 reaches into the shadow and tints the floor.
 
-Drag the $\colour{v}{\text{dot}}$ into [the shadow](?floor_x=0.75) and read its irradiance three times:
+Drag the $\colour{v}{\text{dot}}$ into [the shadow](?from_wall=0.75) and read its irradiance three times:
 
 $$E = E_{\text{lamp}}\,V + \int L_{\text{wall}}\cos\theta\,d\omega$$
 
@@ -833,8 +788,8 @@ In a closed white room the second part **is** most of the light.
 #include "optics/spherical.glsl"
 #include "display/look.glsl"
 uniform int sees;
-uniform float floor_x;
-uniform float floor_y;
+uniform float from_wall;
+uniform float along_wall;
 uniform float lamp_x;
 uniform float lamp_height;
 uniform float radiant_intensity;
@@ -871,40 +826,35 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    vec3 lamp = vec3(lamp_x, 0.0, lamp_height), dot_at = vec3(floor_x, floor_y, 0.012);
+    vec3 lamp = vec3(lamp_x, 0.0, lamp_height), dot_at = vec3(from_wall, along_wall, 0.012);
     if (mark == 0) return mix(dot_at, lamp, t);
-    if (mark == 1) return mix(vec3(0.0, 0.5 * floor_y, 0.6), dot_at, t);
-    if (mark == 2) return mix(lamp, vec3(0.0, 0.5 * floor_y, 0.6), t);
+    if (mark == 1) return mix(vec3(0.0, 0.5 * along_wall, 0.6), dot_at, t);
+    if (mark == 2) return mix(lamp, vec3(0.0, 0.5 * along_wall, 0.6), t);
     if (mark == 3) return lamp;
     return dot_at;
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(floor_x, floor_y, 0.0, 1.0);
+    if (i == 0) return vec4(from_wall, along_wall, 0.0, 1.0);
     if (i == 1) return vec4(lamp_x, 0.0, lamp_height, 1.0);
     return vec4(0.02, 0.72, 1.86, 1.0);
 }
 """,
         surfaces=(Surface("floor", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("ball", cells=(64, 32))),
-        marks=(
-            Mark("to the lamp", colour="l", line="dashed", width=0.9),
-            Mark("from the wall", colour="r", line="dotted", tip="arrow"),
-            Mark("to the wall", colour="r", line="dotted"),
-            Mark("lamp", colour="l", tip="sun", width=2.0),
-            Mark("dot", colour="v", tip="dot", width=1.5),
-        ),
+        marks=(Mark("to the lamp", colour="l", line="dashed", width=0.9),
+               Mark("from the wall", colour="r", line="dotted", tip="arrow"),
+               Mark("to the wall", colour="r", line="dotted"), Mark("lamp", colour="l", tip="sun", width=2.0),
+               Mark("dot", colour="v", tip="dot", width=1.5)),
         labels=(Label("wall", 2, "r"),),
-        handles=(Handle("the dot", 0, ("floor_x", "floor_y")), Handle("the lamp", 1, ("lamp_x", "lamp_height"))),
+        handles=(Handle("the dot", 0, ("from_wall", "along_wall")), Handle("the lamp", 1, ("lamp_x", "lamp_height"))),
         camera=Camera(azimuth=-58, elevation=28, distance=6.2, target=(1.1, 0.0, 0.75)),
     ),
     plot=Curves(
         title="Irradiance along the floor",
-        sweep="floor_x",
-        curves=(
-            Curve("with the wall's light", Term("irradiance_floor")),
-            Curve("with shadows", Term("irradiance_floor_shadowed"), role="estimate"),
-            Curve("local", Term("irradiance_floor_local"), role="printed"),
-        ),
+        sweep="from_wall",
+        curves=(Curve("with the wall's light", Term("irradiance_floor")),
+                Curve("with shadows", Term("irradiance_floor_shadowed"), role="estimate"),
+                Curve("local", Term("irradiance_floor_local"), role="printed")),
         y_label="W/m²",
     ),
     readouts=(
@@ -935,7 +885,7 @@ then teach local shading? Because every other kind calls it at each bounce. 6 mi
     honesty="Lamp and shadow are exact for a point lamp. The wall's light: one reflection, the wall as 100 disks, within 2 % "
             "from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. Colours pass a film curve.",
     values=(Value("sees", 2, choices=("local", "with shadows", "with the wall's light")), Value("rho", 0.8),
-            Value("floor_x", 0.75), Value("floor_y", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
+            Value("from_wall", 0.75), Value("along_wall", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
             Value("radiant_intensity", 20.0, low=1.0, high=100.0, more=True)),
     minutes=6,
 )
@@ -986,7 +936,8 @@ vec3 shade(Surface s) {
     float got = illuminance_point(bulb_luminous_intensity(electrical_power, source_efficacy), r, slant);
     float level = clamp((log(got) / log(10.0) + 0.5) / 4.2, 0.0, 1.0); // 0.3 lx to 5000 lx
     if (s.id == 2) return vec3(sqrt(rho) * (0.25 + 0.75 * level));
-    return mix(colormap(level), background, 0.35 * grid_lines(s.st, vec2(24.0, 6.0)));
+    float share = got / bulb_illuminance(electrical_power, source_efficacy, distance); // of the middle's
+    return mix(colormap(share * (0.6 + 0.4 * level)), background, 0.35 * grid_lines(s.st, vec2(24.0, 6.0)));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -1006,17 +957,11 @@ vec4 probe(int i) {
     return vec4(-0.62 * radius, -0.62 * radius, 0.0, 1.0);
 }
 """,
-        surfaces=(
-            Surface("table", cells=(96, 24)),
-            Surface("bulb", cells=(32, 16)),
-            Surface("paper", cells=(1, 1)),
-            Surface("what the table gets", cells=(96, 1), opacity=0.13),
-        ),
-        marks=(
-            Mark("distance", colour="l", line="dashed", label="r", label_at=0.45),
-            Mark("rim", colour="exact", segments=96),
-            *(Mark(f"ray {i}", colour="l", width=0.9) for i in range(22)),
-        ),
+        surfaces=(Surface("table", cells=(96, 24)), Surface("bulb", cells=(32, 16)), Surface("paper", cells=(1, 1)),
+                  Surface("what the table gets", cells=(96, 1), opacity=0.13)),
+        marks=(Mark("distance", colour="l", line="dashed", label="r", label_at=0.45),
+               Mark("rim", colour="exact", segments=96),
+               *(Mark(f"ray {i}", colour="l", width=0.9) for i in range(22))),
         labels=(Label("lm, cd", 2, "l"), Label("cd/m²", 4), Label("lx", 5)),
         handles=(Handle("the bulb", 0, ("distance",)), Handle("the table's rim", 1, ("radius",))),
         camera=Camera(azimuth=-60, elevation=22, distance=8.4, target=(0.0, 0.0, 1.1)),
@@ -1137,13 +1082,10 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("spectrum", cells=(160, 1)), Surface("what the eye takes", cells=(160, 1))),
-        marks=(
-            Mark("V", colour="v", segments=160, width=1.5, label="V(λ)", label_at=0.58),
-            Mark("spectrum", colour="exact", segments=160),
-            Mark("axis", colour="quiet"),
-            Mark("one wavelength", colour="v", tip="dot", line="dashed"),
-            *(Mark(f"tick {nm}", colour="quiet") for nm in (380, 480, 580, 680, 780)),
-        ),
+        marks=(Mark("V", colour="v", segments=160, width=1.5, label="V(λ)", label_at=0.58),
+               Mark("spectrum", colour="exact", segments=160), Mark("axis", colour="quiet"),
+               Mark("one wavelength", colour="v", tip="dot", line="dashed"),
+               *(Mark(f"tick {nm}", colour="quiet") for nm in (380, 480, 580, 680, 780))),
         labels=tuple(Label(f"{nm} nm", i + 1) for i, nm in enumerate((380, 480, 580, 680, 780))),
         handles=(Handle("one wavelength", 0, ("wavelength",)),),
         camera=Camera(azimuth=-90, elevation=6, distance=7.6, target=(0.0, 0.0, 0.85)),
@@ -1152,12 +1094,10 @@ vec4 probe(int i) {
     plot=Curves(
         title="Lumens per watt of light, by temperature",
         sweep="temperature",
-        curves=(
-            Curve("black body, all it radiates", Term("luminous_efficacy_planck")),
-            Curve("its light from 400 to 700 nm only", Term("luminous_efficacy_band", {"wavelength_low": 400.0,
-                                                                                    "wavelength_high": 700.0}),
-                  role="estimate"),
-        ),
+        curves=(Curve("black body, all it radiates", Term("luminous_efficacy_planck")),
+                Curve("its light from 400 to 700 nm only", Term("luminous_efficacy_band", {"wavelength_low": 400.0,
+                                                                                        "wavelength_high": 700.0}),
+                      role="estimate")),
         y_label="lm/W",
     ),
     readouts=(

@@ -24,40 +24,40 @@ def _points(*axes):
     return np.stack(np.broadcast_arrays(*(np.asarray(x, float) for x in axes)), -1)
 
 
-def irradiance_floor_local(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity):
+def irradiance_floor_local(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity):
     """The irradiance of a point of the floor as local shading counts it: the lamp alone, as if nothing were in the way.
 
     radiant_intensity lamp_height / r^3
 
-    floor_x, floor_y, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none.
     Source: deck, Local Shading Models.
     """
-    way = _points(floor_x - np.asarray(lamp_x, float), floor_y, lamp_height)
+    way = _points(from_wall - np.asarray(lamp_x, float), along_wall, lamp_height)
     return np.asarray(radiant_intensity, float) * way[..., 2] / np.sum(way * way, -1) ** 1.5
 
 
-def irradiance_floor_shadowed(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity):
+def irradiance_floor_shadowed(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity):
     """The irradiance of a point of the floor from the lamp, where the ball lets it through.
 
     irradiance_floor_local, 0 where the line to the lamp meets the ball
 
-    floor_x, floor_y, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none
     but on the edge of the shadow. Source: deck, Local Shading Models.
     """
-    point, lamp = _points(floor_x, floor_y, 0.0), _points(lamp_x, 0.0, lamp_height)
-    return irradiance_floor_local(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity) * _seen(point, lamp)
+    point, lamp = _points(from_wall, along_wall, 0.0), _points(lamp_x, 0.0, lamp_height)
+    return irradiance_floor_local(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity) * _seen(point, lamp)
 
 
-def irradiance_floor_bounced(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity, rho):
+def irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity, rho):
     """The irradiance of a point of the floor by light that came from the lamp to the wall and from there to the floor.
 
     sum over 10 x 10 cells of the wall of rho E / pi cos_floor cos_wall A / (r^2 + A / pi), where the ball lets it
     through both times: each cell counts as a disk that faces the point, so that it stays finite in the corner
 
-    floor_x, floor_y, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
     Errors: below 2 % a cell's width (0.2 m) away from the wall. Source: Wallace, Elmquist and Haines 1989.
     """
-    point, lamp = _points(floor_x, floor_y, 0.0), _points(lamp_x, 0.0, lamp_height)
+    point, lamp = _points(from_wall, along_wall, 0.0), _points(lamp_x, 0.0, lamp_height)
     area, total = (2 / CELLS) ** 2, 0.0
     for i in range(CELLS):
         for j in range(CELLS):
@@ -69,16 +69,16 @@ def irradiance_floor_bounced(floor_x, floor_y, lamp_x, lamp_height, radiant_inte
     return np.asarray(rho, float) / pi * np.asarray(radiant_intensity, float) * area * total
 
 
-def irradiance_floor(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity, rho):
+def irradiance_floor(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity, rho):
     """The irradiance of a point of the floor with the ball's shadow and one reflection by the wall.
 
     irradiance_floor_shadowed + irradiance_floor_bounced
 
-    floor_x, floor_y, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
     Errors: those of its parts; light reflected twice and more is left out. Source: Wallace, Elmquist and Haines 1989.
     """
-    direct = irradiance_floor_shadowed(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity)
-    return direct + irradiance_floor_bounced(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity, rho)
+    direct = irradiance_floor_shadowed(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity)
+    return direct + irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity, rho)
 
 
 def interreflection_gain(rho):

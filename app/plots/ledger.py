@@ -60,8 +60,8 @@ class LedgerPart:
         """Cells with a value and its name; the arrow between them carries the factor."""
         look = self.look
         left, top, right, bottom = box
-        step = (bottom - top) / len(rows)
-        cell = min(2.75 * look.small, 0.68 * step)
+        step = min((bottom - top) / len(rows), 7.0 * look.small)
+        cell = min(3.2 * look.small, 0.68 * step)
         ground, frame = look.mixed(look.background, look.quiet, 0.14), look.mixed(look.background, look.quiet, 0.6)
         for i, line in enumerate(rows):
             y = top + i * step
@@ -70,7 +70,7 @@ class LedgerPart:
                       font(look, fitted(look, line.label, right - left - look.small)), "lm")
             value = written(line.value, pretty(line.unit))
             draw.text((left + 0.5 * look.small, y + 0.72 * cell), value, bytes3(look.foreground),
-                      font(look, fitted(look, value, right - left - look.small)), "lm")
+                      font(look, fitted(look, value, right - left - look.small, look.text if cell > 3 * look.small else look.small)), "lm")
             if i:
                 words, middle, x = factor_words(line), y - 0.5 * (step - cell), left + look.small
                 reach = 0.42 * (step - cell)
@@ -83,9 +83,9 @@ class LedgerPart:
                           font(look, fitted(look, whole, right - x - 0.6 * look.small)), "lm")
 
 
-def fitted(look: Look, text: str, width: float) -> int:
-    """The size, at most the theme's small one, at which a text is no wider."""
-    size = look.small
+def fitted(look: Look, text: str, width: float, most: int = 0) -> int:
+    """The size, at most the theme's small one or `most`, at which a text is no wider."""
+    size = most or look.small
     while size > 8 and font(look, size).getlength(text) > width:
         size -= 1
     return size

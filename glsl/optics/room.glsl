@@ -5,22 +5,22 @@ const vec3 BALL = vec3(1.1, 0.0, 0.5);
 const float BALL_RADIUS = 0.3;
 const int WALL_CELLS = 10;
 
-float irradiance_floor_local(float floor_x, float floor_y, float lamp_x, float lamp_height, float radiant_intensity) {
+float irradiance_floor_local(float from_wall, float along_wall, float lamp_x, float lamp_height, float radiant_intensity) {
     // Local Shading Models: the lamp alone
-    vec3 way = vec3(floor_x - lamp_x, floor_y, lamp_height);
+    vec3 way = vec3(from_wall - lamp_x, along_wall, lamp_height);
     float r2 = dot(way, way);
     return radiant_intensity * lamp_height / (r2 * sqrt(r2));
 }
 
-float irradiance_floor_shadowed(float floor_x, float floor_y, float lamp_x, float lamp_height, float radiant_intensity) {
+float irradiance_floor_shadowed(float from_wall, float along_wall, float lamp_x, float lamp_height, float radiant_intensity) {
     // Local Shading Models: the lamp, where the ball lets it through
-    float seen = seen_past_ball(vec3(floor_x, floor_y, 0.0), vec3(lamp_x, 0.0, lamp_height), BALL, BALL_RADIUS);
-    return seen * irradiance_floor_local(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity);
+    float seen = seen_past_ball(vec3(from_wall, along_wall, 0.0), vec3(lamp_x, 0.0, lamp_height), BALL, BALL_RADIUS);
+    return seen * irradiance_floor_local(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity);
 }
 
-float irradiance_floor_bounced(float floor_x, float floor_y, float lamp_x, float lamp_height, float radiant_intensity, float rho) {
+float irradiance_floor_bounced(float from_wall, float along_wall, float lamp_x, float lamp_height, float radiant_intensity, float rho) {
     // Wallace, Elmquist and Haines 1989: each cell of the wall as a disk that faces the point
-    vec3 point = vec3(floor_x, floor_y, 0.0), lamp = vec3(lamp_x, 0.0, lamp_height);
+    vec3 point = vec3(from_wall, along_wall, 0.0), lamp = vec3(lamp_x, 0.0, lamp_height);
     float wide = 2.0 / float(WALL_CELLS), area = wide * wide, total = 0.0;
     for (int i = 0; i < WALL_CELLS; i++) {
         for (int j = 0; j < WALL_CELLS; j++) {
@@ -34,10 +34,10 @@ float irradiance_floor_bounced(float floor_x, float floor_y, float lamp_x, float
     return rho / PI * radiant_intensity * area * total;
 }
 
-float irradiance_floor(float floor_x, float floor_y, float lamp_x, float lamp_height, float radiant_intensity, float rho) {
+float irradiance_floor(float from_wall, float along_wall, float lamp_x, float lamp_height, float radiant_intensity, float rho) {
     // Wallace, Elmquist and Haines 1989: the lamp's light and one reflection by the wall
-    return irradiance_floor_shadowed(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity)
-        + irradiance_floor_bounced(floor_x, floor_y, lamp_x, lamp_height, radiant_intensity, rho);
+    return irradiance_floor_shadowed(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity)
+        + irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity, rho);
 }
 
 float interreflection_gain(float rho) {
