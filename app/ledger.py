@@ -7,6 +7,7 @@ here (by its own rules sr is 1, and a lumen would be a candela).
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 
 from app.lesson import Ledger, LedgerRow
 from app.problem import Problem
@@ -63,7 +64,7 @@ def dimension(unit: str):
 def faults(plot: Ledger) -> Iterator[tuple[str, str]]:
     """(a word to find the row by, what is wrong) for each row whose unit does not follow from the one before."""
     for column in plot.columns:
-        for before, row in zip(column, column[1:], strict=False):
+        for before, row in pairwise(column):
             try:
                 follows = dimension(f"({before.unit}) ({row.by or '1'})" if row.by else before.unit)
                 if follows != dimension(row.unit):

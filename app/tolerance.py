@@ -143,8 +143,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
 def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
     """|got - value| in units of u (1 + cond + kappa) |value|, the value being the float64 twin's at the same inputs.
 
-    A value too small for the type counts 0 when the other is as small, and infinite when it is not; for a value too large
-    for it infinite, of the same sign, counts 0.
+    A value too small for the type counts 0 when the other is as small, and infinite when it is not; where the value is
+    too large for it, infinite of the same sign counts 0.
     """
     value, got = np.asarray(twin(function)(**args), float), np.asarray(got, float)
     size = norm(value, is_vector)

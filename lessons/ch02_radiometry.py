@@ -150,10 +150,7 @@ vec4 probe(int i) {
         question="A bulb sends out 60 J of light in a second: 60 W. A flash sends out the same 60 J in a thousandth of a second. "
                  "What is its flux?",
         truth=Term("radiant_flux_mean", {"radiant_energy": 60.0, "duration": 0.001}),
-        unit="W",
-        low=1.0,
-        high=1e6,
-        scale="log",
+        unit="W", low=1.0, high=1e6, scale="log",
         sets={"radiant_energy": 60.0, "duration": 0.001},
         told="60 000 W, as much as a street of houses draws; for a thousandth of a second.",
     ),
@@ -235,8 +232,7 @@ vec4 probe(int i) {
                   Surface("cone", cells=(96, 1), opacity=0.35), Surface("balloon", cells=(64, 24), opacity=0.2)),
         marks=(Mark("axis", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
                *(Mark(f"ray {i}", colour="l", tip="arrow", width=0.8) for i in (-3, -2, -1, 0, 1, 2, 3))),
-        labels=(Label("the lamp", 2),),
-        handles=(Handle("the cone's rim", 0, ("half_angle",)), Handle("the cap", 1, ("distance",))),
+        labels=(Label("the lamp", 2),), handles=(Handle("the cone's rim", 0, ("half_angle",)), Handle("the cap", 1, ("distance",))),
         camera=Camera(azimuth=-90, elevation=16, distance=7.4, target=(0.0, 0.0, 0.9)),
         legend=(("l", "the cone's flux"), ("quiet", "intensity in every direction")),
     ),
@@ -297,7 +293,6 @@ changes.** That is why a wall looks no darker from afar, and why a picture store
     scene=Scene(
         glsl="""
 #include "optics/spherical.glsl"
-#include "optics/radiometry.glsl"
 #include "display/look.glsl"
 uniform float theta;
 uniform float half_angle;
@@ -427,7 +422,7 @@ Open the sky overhead [to all of it](?sky_piece=0&opening=90). Without the cosin
 """,
     scene=Scene(
         glsl="""
-#include "optics/radiometry.glsl"
+#include "optics/square_patch.glsl"
 #include "display/look.glsl"
 uniform int sky_piece;
 uniform float radiance;
@@ -669,7 +664,7 @@ The $I/r^2$ of the slides is an **irradiance**, not a radiance.
 #include "optics/radiometry.glsl"
 #include "optics/spherical.glsl"
 #include "core/angle.glsl"
-#include "display/look.glsl"
+#include "display/palette.glsl"
 uniform float radius;
 uniform float distance;
 uniform float radiance;
@@ -731,9 +726,7 @@ vec4 probe(int i) {
         curves=(Curve("disk", Term("irradiance_disk", {"height": "distance", "offset": 0.0})),
                 Curve("sphere, by its centre", Term("irradiance_sphere", {"theta": 0.0}), role="estimate"),
                 Curve("I / r²", Term("irradiance_round_far"), role="printed")),
-        y_label="W/m²",
-        y_scale="log",
-        x_scale="log",
+        y_label="W/m²", y_scale="log", x_scale="log",
     ),
     readouts=(
         Readout("sphere", Term("irradiance_sphere", {"theta": 0.0}), unit="W/m²"),
@@ -996,10 +989,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A bulb draws 100 W and gives 30 lm/W, evenly to all sides. How many candela has it?",
         truth=Term("bulb_luminous_intensity", BULB),
-        unit="cd",
-        low=10.0,
-        high=10000.0,
-        scale="log",
+        unit="cd", low=10.0, high=10000.0, scale="log",
         sets=BULB,
         told="3000 lm / 4π sr = 239 cd. Lumens are not candela: lumens count all the light, candela the light one way.",
     ),
@@ -1039,7 +1029,7 @@ Drag along the curve: at 555 nm a watt is worth 683 lm, of **green**. That is th
     scene=Scene(
         glsl="""
 #include "optics/photometry.glsl"
-#include "display/look.glsl"
+#include "display/palette.glsl"
 uniform int lamp;
 uniform float temperature;
 uniform float wavelength;

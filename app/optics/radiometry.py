@@ -1,4 +1,4 @@
-"""Energy, flux, intensity, radiance, irradiance, exitance: what each is of the others (deck, Basic Radiometric Quantities).
+"""Energy, flux, intensity, radiance, irradiance, exitance: what each is of the others.
 
 Irradiance is counted on the side of the normal: light from below the horizon gives 0, never less.
 """
@@ -158,8 +158,8 @@ def irradiance_disk(radiance, radius, height, offset):
 
     radiance projected_solid_angle_disk(radius, height, offset)
 
-    radiance (...) W/(m^2 sr), radius, height > 0, offset (...) m. Returns (...) W/m^2, at most pi radiance. Errors: none.
-    Source: Howell, catalogue of configuration factors, B-12.
+    radiance (...) W/(m^2 sr), radius, height > 0, offset (...) m. Returns (...) W/m^2, at most pi radiance.
+    Errors: none. Source: Howell, catalogue of configuration factors, B-12.
     """
     return np.asarray(radiance, float) * projected_solid_angle_disk(radius, height, offset)
 
@@ -230,8 +230,8 @@ def radiant_energy_sensor(radiance, patch_area, half_angle, theta, duration):
 
     radiant_flux_sensor duration
 
-    radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle (...), theta (...) rad, duration (...) s. Returns (...) J.
-    Errors: those of the flux. Source: deck, Basic Radiometric Quantities (1).
+    radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle (...), theta (...) rad, duration (...) s. Returns (...)
+    J. Errors: those of the flux. Source: deck, Basic Radiometric Quantities (1).
     """
     return radiant_flux_sensor(radiance, patch_area, half_angle, theta) * np.asarray(duration, float)
 
@@ -243,8 +243,8 @@ def radiance_sensor(radiance, patch_area, half_angle, theta):
     horizon, so right in the limit of a small opening
 
     radiance (...) W/(m^2 sr), patch_area (...) m^2, half_angle > 0, theta (...) rad. Returns (...) W/(m^2 sr); without
-    limit as theta -> pi/2, where the cosine that is divided by vanishes and a part of the opening still shines in. Errors: none beyond those of the flux.
-    Source: deck, Basic Radiometric Quantities (2).
+    limit as theta -> pi/2, where the cosine that is divided by vanishes and a part of the opening still shines in.
+    Errors: none beyond those of the flux. Source: deck, Basic Radiometric Quantities (2).
     """
     flux = radiant_flux_sensor(radiance, patch_area, half_angle, theta)
     return flux / np.asarray(patch_area, float) / solid_angle_cone(half_angle) / np.abs(np.cos(theta))

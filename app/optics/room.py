@@ -1,4 +1,4 @@
-"""A floor, a coloured wall and a black ball between them and a point lamp: what local shading counts and what it leaves out.
+"""A floor, a wall, a black ball and a point lamp: what local shading counts of their light, and what it leaves out.
 
 The floor is z = 0, x > 0; the wall x = 0, |y| <= 1, 0 <= z <= 2; the ball has its centre at (1.1, 0, 0.5) and a radius
 of 0.3 m; the lamp hangs at (lamp_x, 0, lamp_height). The wall is matt.
@@ -6,7 +6,6 @@ of 0.3 m; the lamp hangs at (lamp_x, 0, lamp_height). The wall is matt.
 
 import numpy as np
 from numpy import pi
-
 
 BALL, BALL_RADIUS = np.array([1.1, 0.0, 0.5]), 0.3
 CELLS = 10
@@ -29,8 +28,8 @@ def irradiance_floor_local(from_wall, along_wall, lamp_x, lamp_height, radiant_i
 
     radiant_intensity lamp_height / r^3
 
-    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none.
-    Source: deck, Local Shading Models.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2.
+    Errors: none. Source: deck, Local Shading Models.
     """
     way = _points(from_wall - np.asarray(lamp_x, float), along_wall, lamp_height)
     return np.asarray(radiant_intensity, float) * way[..., 2] / np.sum(way * way, -1) ** 1.5
@@ -41,8 +40,8 @@ def irradiance_floor_shadowed(from_wall, along_wall, lamp_x, lamp_height, radian
 
     irradiance_floor_local, 0 where the line to the lamp meets the ball
 
-    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2. Errors: none
-    but on the edge of the shadow. Source: deck, Local Shading Models.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr. Returns (...) W/m^2.
+    Errors: none but on the edge of the shadow. Source: deck, Local Shading Models.
     """
     point, lamp = _points(from_wall, along_wall, 0.0), _points(lamp_x, 0.0, lamp_height)
     return irradiance_floor_local(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity) * _seen(point, lamp)
@@ -54,8 +53,8 @@ def irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant
     sum over 10 x 10 cells of the wall of rho E / pi cos_floor cos_wall A / (r^2 + A / pi), where the ball lets it
     through both times: each cell counts as a disk that faces the point, so that it stays finite in the corner
 
-    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
-    Errors: below 2 % a cell's width (0.2 m) away from the wall. Source: Wallace, Elmquist and Haines 1989.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...)
+    W/m^2. Errors: below 2 % a cell's width (0.2 m) away from the wall. Source: Wallace, Elmquist and Haines 1989.
     """
     point, lamp = _points(from_wall, along_wall, 0.0), _points(lamp_x, 0.0, lamp_height)
     area, total = (2 / CELLS) ** 2, 0.0
@@ -74,8 +73,9 @@ def irradiance_floor(from_wall, along_wall, lamp_x, lamp_height, radiant_intensi
 
     irradiance_floor_shadowed + irradiance_floor_bounced
 
-    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...) W/m^2.
-    Errors: those of its parts; light reflected twice and more is left out. Source: Wallace, Elmquist and Haines 1989.
+    from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...)
+    W/m^2. Errors: those of its parts; light reflected twice and more is left out.
+    Source: Wallace, Elmquist and Haines 1989.
     """
     direct = irradiance_floor_shadowed(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity)
     return direct + irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant_intensity, rho)

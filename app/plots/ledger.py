@@ -3,16 +3,22 @@
 import numpy as np
 from PIL import Image, ImageDraw
 
-from app.ledger import Line, balance, factor_words, lines, pretty
+from app.ledger import Balance, Line, balance, factor_words, lines, pretty
 from app.lesson import Camera, Ledger
-from app.plots.look import Look, bytes3
+from app.plots.look import Look, Rgb, bytes3
 from app.plots.words import Entry, font
 from app.readouts import three, written
 
+Box = tuple[float, float, float, float]  # left, top, right, bottom
+CELL, STEP = 3.2, 7.0  # at most, in heights of the small letters: of a cell, and from one to the next
+
 
 class LedgerPart:
+    """All is written over the plotter's empty picture."""
+
     def __init__(self, plot: Ledger, look: Look):
-        self.plot, self.look, self.values = plot, look, {}
+        self.plot, self.look = plot, look
+        self.values: dict = {}
 
     @property
     def entries(self) -> list[Entry]:
@@ -29,63 +35,55 @@ class LedgerPart:
         return []
 
     def overlay(self, picture: np.ndarray) -> np.ndarray:
-        """The scene of the plotter is empty: all is written here."""
         image = Image.fromarray(picture)
-        draw = ImageDraw.Draw(image)
-        gap = round(0.5 * self.look.text)
-        found = balance(self.plot, self.values)
-        foot = 4 * round(1.4 * self.look.small) if found else 0
+        self.pen, gap = ImageDraw.Draw(image), 0.5 * self.look.text
+        found = balance(self.plot, self.values) if image.height > 20 * self.look.small else None  # or there is no room
+        bottom = image.height - gap - (5.6 * self.look.small if found else 0)
         wide = (image.width - gap) / len(self.plot.columns)
         for i, column in enumerate(self.plot.columns):
-            self.column(draw, lines(column, self.values), (gap + i * wide, 0, gap + (i + 1) * wide - gap,
-                                                           image.height - foot - gap))
+            left = gap + i * wide
+            self.column(lines(column, self.values), (left, 0, left + wide - gap, bottom))
         if found:
-            look, low = self.look, round(1.4 * self.look.small)
-            top = image.height - foot
-            left, right = gap, image.width - gap
-            share = min(1.0, max(0.0, found.received / found.emitted)) if found.emitted else 0.0
-            cut = left + share * (right - left)
-            draw.text((left, top + low / 2), "balance by integration", bytes3(look.quiet), font(look, look.small), "lm")
-            draw.rectangle((left, top + low, right, top + 1.8 * low), bytes3(look.mixed(look.background, look.quiet, 0.5)))
-            draw.rectangle((left, top + low, cut, top + 1.8 * low), bytes3(look.colour("l")))
-            words = (f"received {three(found.received)}", f"escaped {three(found.escaped)} {pretty(found.unit)}")
-            for x, text, anchor in ((left, words[0], "lm"), (right, words[1], "rm")):
-                draw.text((x, top + 2.4 * low), text, bytes3(look.foreground), font(look, look.small), anchor)
-            off = "to rounding" if abs(found.off) < 1e-13 else f"but for {found.off:.0e}"
-            draw.text((left, top + 3.4 * low), f"= emitted {three(found.emitted)}, {off}", bytes3(look.foreground),
-                      font(look, look.small), "lm")
+            self.bar(found, (gap, bottom + gap, image.width - gap, image.height))
         return np.array(image)
 
-    def column(self, draw: ImageDraw.ImageDraw, rows: list[Line], box: tuple[float, float, float, float]) -> None:
-        """Cells with a value and its name; the arrow between them carries the factor."""
-        look = self.look
-        left, top, right, bottom = box
-        step = min((bottom - top) / len(rows), 7.0 * look.small)
-        cell = min(3.2 * look.small, 0.68 * step)
-        ground, frame = look.mixed(look.background, look.quiet, 0.14), look.mixed(look.background, look.quiet, 0.6)
+    def column(self, rows: list[Line], box: Box) -> None:
+        """Cells with a name and a value; the arrow between them carries the factor."""
+        look, (left, top, right, bottom) = self.look, box
+        small, edge = look.small, left + 0.5 * look.small
+        step = min(max(2.0, (bottom - top) / len(rows)), STEP * small)
+        cell = min(CELL * small, 0.68 * step)
+        ground, frame = (bytes3(look.mixed(look.background, look.quiet, share)) for share in (0.14, 0.6))
         for i, line in enumerate(rows):
             y = top + i * step
-            draw.rounded_rectangle((left, y, right, y + cell), 0.4 * look.small, bytes3(ground), bytes3(frame))
-            draw.text((left + 0.5 * look.small, y + 0.3 * cell), line.label, bytes3(look.quiet),
-                      font(look, fitted(look, line.label, right - left - look.small)), "lm")
-            value = written(line.value, pretty(line.unit))
-            draw.text((left + 0.5 * look.small, y + 0.72 * cell), value, bytes3(look.foreground),
-                      font(look, fitted(look, value, right - left - look.small, look.text if cell > 3 * look.small else look.small)), "lm")
+            self.pen.rounded_rectangle((left, y, right, y + cell), 0.4 * small, ground, frame)
+            self.text(edge, y + 0.3 * cell, line.label, look.quiet, right)
+            self.text(edge, y + 0.72 * cell, written(line.value, pretty(line.unit)), look.foreground, right)
             if i:
-                words, middle, x = factor_words(line), y - 0.5 * (step - cell), left + look.small
-                reach = 0.42 * (step - cell)
-                ink = bytes3(look.colour("l"))
-                draw.line((x, middle - reach, x, middle + reach), ink, round(look.line))
-                draw.polygon([(x - 0.25 * look.small, middle + 0.2 * reach), (x + 0.25 * look.small, middle + 0.2 * reach),
-                              (x, middle + reach)], ink)
-                whole = f"{words}  {line.how}" if line.how else words
-                draw.text((x + 0.6 * look.small, middle), whole, bytes3(look.foreground),
-                          font(look, fitted(look, whole, right - x - 0.6 * look.small)), "lm")
+                x, middle, reach = left + small, y - 0.5 * (step - cell), 0.42 * (step - cell)
+                ink, foot = bytes3(look.colour("l")), middle + reach
+                self.pen.line((x, middle - reach, x, foot), ink, round(look.line))
+                self.pen.polygon([(x - 0.25 * small, foot - 0.5 * small), (x + 0.25 * small, foot - 0.5 * small),
+                                  (x, foot)], ink)
+                self.text(x + 0.6 * small, middle, f"{factor_words(line)}  {line.how}".rstrip(), look.foreground, right)
 
+    def bar(self, found: Balance, box: Box) -> None:
+        look, (left, top, right, _) = self.look, box
+        high = 1.3 * look.small
+        share = min(1.0, max(0.0, found.received / found.emitted)) if found.emitted else 0.0
+        off = "to rounding" if abs(found.off) < 1e-13 else f"but for {found.off:.0e}"
+        y = top + 1.1 * high
+        self.pen.rectangle((left, y, right, y + 0.8 * high), bytes3(look.mixed(look.background, look.quiet, 0.5)))
+        self.pen.rectangle((left, y, left + share * (right - left), y + 0.8 * high), bytes3(look.colour("l")))
+        self.text(left, top + 0.5 * high, "balance, by integration", look.quiet, right)
+        received = f"received {three(found.received)} + escaped {three(found.escaped)}"
+        self.text(left, y + 1.4 * high, received, look.foreground, right)
+        self.text(left, y + 2.35 * high, f"= emitted {three(found.emitted)} {pretty(found.unit)}, {off}",
+                  look.foreground, right)
 
-def fitted(look: Look, text: str, width: float, most: int = 0) -> int:
-    """The size, at most the theme's small one or `most`, at which a text is no wider."""
-    size = most or look.small
-    while size > 8 and font(look, size).getlength(text) > width:
-        size -= 1
-    return size
+    def text(self, x: float, y: float, words: str, colour: Rgb, right: float) -> None:
+        """A line from x on, in the theme's small letters, or smaller where it would pass `right`."""
+        size = self.look.small
+        while size > 8 and font(self.look, size).getlength(words) > right - x - 0.2 * self.look.small:
+            size -= 1
+        self.pen.text((x, y), words, bytes3(colour), font(self.look, size), anchor="lm")
