@@ -45,8 +45,8 @@ How fast a tank fills is the **radiant flux**, in watts:
 
 $$\Phi = \frac{dQ}{dt}$$
 
-Drag the level of the bulb's tank: that is time. The flash's tank is full [after a hundredth of it](?time=0.01), and its light
-is a thin shell by then, running ahead. [A flash of 1 ms](?duration=0.001) needs a thousand times the bulb's flux.
+Drag the level of the bulb's tank: that is time. The flash's tank is full [after a twentieth of it](?time=0.05), and its light
+is a thin shell from then on, running ahead. [A flash of 1 ms](?duration=0.001) needs a thousand times the bulb's flux.
 
 A picture needs energy, so the flash can light it. An eye, and every formula from here on, asks for flux.
 """,
@@ -310,7 +310,7 @@ float reach() {
 
 vec3 surface_point(int surface, vec2 s) {
     vec2 around = vec2(cos(2.0 * PI * s.x), sin(2.0 * PI * s.x));
-    if (surface == 0) return vec3(distance, 2.6 * s.x - 1.3, 2.6 * s.y - 1.3);
+    if (surface == 0) return vec3(distance, max(1.3, 1.15 * reach()) * (2.0 * s - 1.0));
     if (surface == 1) { // the sensor, enlarged
         vec2 p = 0.34 * (2.0 * s - 1.0);
         return vec3(-p.y * sin(theta), p.x, p.y * cos(theta));
@@ -445,7 +445,7 @@ vec3 surface_point(int surface, vec2 s) {
     if (surface < 2) return dome_at(k) + cap_point(0.5 * PI, s.x, s.y);
     if (surface > 5) return dome_at(k) + 0.995 * cap_point(0.5 * PI, s.x, s.y);
     if (surface < 4) return dome_at(k) + vec3(s.y * cos(2.0 * PI * s.x), s.y * sin(2.0 * PI * s.x), 0.0);
-    return dome_at(k) + vec3(0.24 * s - 0.12, 0.012);
+    return dome_at(k) + vec3(0.24 * s - 0.12, 0.03);
 }
 
 vec3 shade(Surface s) {
@@ -635,7 +635,7 @@ radiosity (heat engineering, the deck) and radiant exitance (ISO). Drag the eye 
 it sends less there, and looks smaller by as much. 5 minutes.
 """,
     sources=("Deck, slide Basic Radiometric Quantities (3)", "Lambert 1760, Photometria", "ISO 80000-7: radiant exitance"),
-    honesty="Exact for a matt (Lambert) surface that emits nothing itself. Real walls are matt to some ten percent.",
+    honesty="Exact for a matt (Lambert) surface that emits nothing itself. Real walls are only nearly matt.",
     values=(Value("rho", 0.65), Value("irradiance", 500.0), Value("theta", 50.0, low=0.0, high=89.0)),
     minutes=5,
 )
@@ -876,9 +876,9 @@ then teach local shading? Because every other kind calls it at each bounce. 6 mi
     sources=("Deck, slide Local Shading Models", "Wallace, Elmquist & Haines 1989: a cell as a disk",
              "Ulbricht 1900: the integrating sphere, 1/(1 - ρ)"),
     honesty="Lamp and shadow are exact for a point lamp. The wall's light: one reflection, the wall as 100 disks, within 2 % "
-            "from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. Colours pass a film curve.",
+            "of the local value from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. Colours pass a film curve.",
     values=(Value("sees", 2, choices=("local", "with shadows", "with the wall's light")), Value("rho", 0.8),
-            Value("from_wall", 0.75), Value("along_wall", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
+            Value("from_wall", 0.75, low=0.2), Value("along_wall", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
             Value("radiant_intensity", 20.0, low=1.0, high=100.0, more=True)),
     minutes=6,
 )
@@ -918,7 +918,7 @@ vec3 surface_point(int surface, vec2 s) {
     vec2 around = vec2(cos(2.0 * PI * s.x), sin(2.0 * PI * s.x));
     if (surface == 0) return vec3(radius * s.y * around, 0.0);
     if (surface == 1) return vec3(0.0, 0.0, distance) + 0.12 * sphere_point(s.x, s.y);
-    if (surface == 2) return vec3((0.3 * s.x - 0.15) * 1.41, 0.3 * s.y - 0.15, 0.008);
+    if (surface == 2) return vec3((0.3 * s.x - 0.15) * 1.41, 0.3 * s.y - 0.15, 0.025);
     return mix(vec3(0.0, 0.0, distance), vec3(radius * around, 0.0), s.y);
 }
 
@@ -960,7 +960,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-60, elevation=22, distance=8.4, target=(0.0, 0.0, 1.1)),
     ),
     plot=Ledger(
-        title="The ledger: each step with its unit",
+        title="Each step with its unit",
         columns=(
             (
                 LedgerRow("drawn from the mains", Term("bulb_radiant_flux", {"radiated_share": 1.0}), "W"),
@@ -1106,9 +1106,9 @@ vec4 probe(int i) {
     ),
     notes="""
 Two efficacies are in every shop, and never kept apart: lumens per watt of light (here) and per watt drawn (the ledger).
-A lamp of 150 lm/W drawn is near its end if its light is worth 330. "683" is the tempting answer, it is the number on the
+A lamp of 150 lm/W drawn, its light worth 330, turns 45 % of the power into light. "683" is the tempting answer, it is the number on the
 slide; ask what such a lamp's light looks like. The filament shows what the deck says: most is wasted outside the visible. At
-6600 K a glowing body is at its best, at 95; the sun knew. 6 minutes.
+6600 K a glowing body is at its best, at 95. 6 minutes.
 """,
     sources=("Deck, slide Units for Lighting - Lumen", "CIE 018:2019: V(λ) of 1924, K_m = 683.002 lm/W",
              "Planck 1901, constants CODATA 2018", "Murphy 2012: 250 to 370 lm/W for white light", "optics reference, D14"),

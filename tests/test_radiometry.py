@@ -211,6 +211,19 @@ def test_the_walls_light_is_what_followed_rays_say(place):
     assert cells == pytest.approx(rays, rel=0.02)
 
 
+def test_a_finer_wall_changes_what_the_docstring_says(monkeypatch):
+    from app.optics import room
+
+    x, y = np.meshgrid([0.2, 0.3, 0.5, 0.9, 1.6, 2.4], [0.0, 0.4, 1.0])
+    for lamp_x, lamp_height in ((1.75, 1.6), (2.2, 1.1), (0.6, 2.0)):
+        lamp = {"lamp_x": lamp_x, "lamp_height": lamp_height, "radiant_intensity": 20.0}
+        monkeypatch.setattr(room, "CELLS", 10)
+        coarse = room.irradiance_floor_bounced(x, y, rho=0.8, **lamp)
+        monkeypatch.setattr(room, "CELLS", 80)
+        fine = room.irradiance_floor_bounced(x, y, rho=0.8, **lamp)
+        assert np.all(np.abs(coarse - fine) < 0.02 * room.irradiance_floor_local(x, y, **lamp))
+
+
 def test_the_shadow_is_the_balls():
     x, y = np.meshgrid(np.linspace(0.1, 2.4, 60), np.linspace(-1, 1, 60))
     local, shadowed = (twin(f"irradiance_floor_{kind}")(x, y, **ROOM) for kind in ("local", "shadowed"))

@@ -1,7 +1,7 @@
 #include "core/constants.glsl"
 #include "optics/radiometry.glsl"
 
-// CIE 1924 photopic V(lambda), 380 to 780 nm every 5 nm: CIE 018:2019, table 1
+// CIE 1924 photopic V(lambda), 380 to 780 nm every 5 nm: CIE 018:2019
 const float V_LAMBDA[81] = float[81](
     0.000039, 0.000064, 0.00012, 0.000217, 0.000396, 0.00064, 0.00121, 0.00218, 0.004, 0.0073,
     0.0116, 0.01684, 0.023, 0.0298, 0.038, 0.048, 0.06, 0.0739, 0.09098, 0.1126,
