@@ -57,7 +57,13 @@ def digits():
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, points, digits)}
+def window():
+    from tests.bench.window import window as measure
+
+    return measure()
+
+
+GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, digits)}
 
 if __name__ == "__main__":
     sys.exit(main())
