@@ -851,10 +851,10 @@ vec4 probe(int i) {
         y_label="W/m²",
     ),
     readouts=(
+        Readout("with the wall's light", Term("irradiance_floor"), role="exact", unit="W/m²"),
         Readout("local", Term("irradiance_floor_local"), role="printed", unit="W/m²", against="with the wall's light"),
         Readout("with shadows", Term("irradiance_floor_shadowed"), role="estimate", unit="W/m²",
                 against="with the wall's light"),
-        Readout("with the wall's light", Term("irradiance_floor"), role="exact", unit="W/m²"),
         Readout("closed room, times", Term("interreflection_gain"), unit=""),
     ),
     ask=Prediction(

@@ -54,7 +54,7 @@ def irradiance_floor_bounced(from_wall, along_wall, lamp_x, lamp_height, radiant
     through both times: each cell counts as a disk that faces the point, so that it stays finite in the corner
 
     from_wall, along_wall, lamp_x, lamp_height > 0 (...) m, radiant_intensity (...) W/sr, rho (...). Returns (...)
-    W/m^2. Errors: from a cell's width (0.2 m) on within 2 % of irradiance_floor_local; in the corner more, 7 % at 0.1 m.
+    W/m^2. Errors: from a cell's width (0.2 m) on within 2 % of irradiance_floor_local, then more: 7 % at 0.1 m.
     Source: Wallace, Elmquist and Haines 1989.
     """
     point, lamp = _points(from_wall, along_wall, 0.0), _points(lamp_x, 0.0, lamp_height)
