@@ -30,7 +30,7 @@ class Quantity:
 
     @property
     def screen_unit(self) -> str:
-        return "°" if self.is_angle else self.unit
+        return "°" if self.is_angle else self.unit.replace("^2", "²")
 
     @property
     def width(self) -> int:

@@ -131,7 +131,7 @@ vec4 probe(int i) {
         dots=Dots(1400, size=0.9),
         labels=(Label("the flash", 1), Label("the bulb, 1 s", 2), Label("Q so far", 3, "l")),
         handles=(Handle("the bulb's level", 0, ("time",)),),
-        camera=Camera(azimuth=-90, elevation=10, distance=8.6, target=(0.0, 0.0, 0.1)),
+        camera=Camera(azimuth=-90, elevation=10, distance=10.6, target=(0.0, 0.0, 0.1)),
     ),
     plot=Curves(
         title="Energy that has left, against time",
@@ -163,7 +163,7 @@ and the flash's slope is nearly a wall. The shell of dots is what a flash is in 
     sources=("Deck, slide Basic Radiometric Quantities (1)", "ISO 80000-7: radiant energy, radiant flux"),
     honesty="Exact, for a flux that is even while it lasts. The drawn light runs at 1.3 m/s, not at 300 000 km/s, and thins "
             "out at the edge of the picture.",
-    values=(Value("duration", 0.05, high=1.0), Value("time", 0.62), Value("radiant_energy", 60.0)),
+    values=(Value("duration", 0.05, low=5e-4, high=1.0), Value("time", 0.62), Value("radiant_energy", 60.0)),
     minutes=4,
 )
 
@@ -287,7 +287,7 @@ $$L = \frac{\Phi}{A\,\cos\theta\;\omega}\qquad \frac{\text{W}}{\text{m}^2\,\text
 Drag $\colour{n}{n}$: the flux falls with the cosine, the radiance does not. Drag the rim: a [wide opening](?half_angle=30)
 reads too little, as its outer light comes at a slant; a [narrow one](?half_angle=3) is right.
 
-Drag the wall [twice as far](?distance=4). The spot that is seen grows as $r^2$, each part of it gives $1/r^2$. **Nothing
+Drag the wall [twice as far](?distance=3.2). The spot that is seen grows as $r^2$, each part of it gives $1/r^2$. **Nothing
 changes.** That is why a wall looks no darker from afar, and why a picture stores radiance.
 """,
     scene=Scene(
@@ -362,13 +362,13 @@ vec4 probe(int i) {
         title="All six quantities",
         columns=(
             (
-                LedgerRow("exitance B of the wall", Term("radiant_exitance_lambert"), "W/m^2"),
+                LedgerRow("exitance B, wall", Term("radiant_exitance_lambert"), "W/m^2"),
                 LedgerRow("radiance L", Term("radiance_sensor_projected"), "W/(m^2 sr)", "1/sr", "cosine law"),
-                LedgerRow("intensity I of the spot", Term("radiant_intensity_spot"), "W/sr", "m^2", "spot"),
+                LedgerRow("intensity I, spot", Term("radiant_intensity_spot"), "W/sr", "m^2", "spot"),
             ),
             (
-                LedgerRow("irradiance E of the sensor", Term("irradiance_sensor"), "W/m^2"),
-                LedgerRow("flux Φ on the sensor", Term("radiant_flux_sensor"), "W", "m^2", "its area"),
+                LedgerRow("irradiance E, sensor", Term("irradiance_sensor"), "W/m^2"),
+                LedgerRow("flux Φ, sensor", Term("radiant_flux_sensor"), "W", "m^2", "its area"),
                 LedgerRow("energy Q in 1 s", Term("radiant_energy_sensor", {"duration": 1.0}), "J", "s", "time"),
             ),
         ),
@@ -381,10 +381,10 @@ vec4 probe(int i) {
     ),
     ask=Prediction(
         question="You step back until the wall is twice as far away. How much of its radiance is left?",
-        truth=Term("radiance_twice_as_far", {"half_angle": 0.2, "distance": 2.0}),
+        truth=Term("radiance_twice_as_far", {"half_angle": 0.2, "distance": 1.6}),
         unit="of it",
         choices=(Choice("a quarter: 1/r²", 0.2, 0.3), Choice("half of it", 0.4, 0.6), Choice("all of it", 0.9, 1.1)),
-        sets={"distance": 4.0},
+        sets={"distance": 3.2},
         told="All of it. Through the same opening you see four times the wall, and each part of it gives a quarter.",
     ),
     notes="""
@@ -398,7 +398,7 @@ rim if it were matt (n·l falls); it looks flat because its rough dust is not La
     honesty="Exact: a large wall of one radiance, the sensor small beside the opening, which is 1 m away. The quotient is "
             "cos²(half the opening) of L; past the sensor's own horizon it means nothing. The sensor is drawn enlarged.",
     values=(Value("theta", 35.0, low=0.0, high=85.0), Value("half_angle", 17.0, low=1.0, high=32.0),
-            Value("distance", 2.0, low=1.3, high=4.0, scale="linear"), Value("radiance", 100.0, low=1.0),
+            Value("distance", 1.6, low=1.2, high=3.2, scale="linear"), Value("radiance", 100.0, low=1.0),
             Value("patch_area", 1e-4, more=True)),
     minutes=7,
 )
@@ -485,7 +485,7 @@ vec4 probe(int i) {
         ),
         labels=(Label("L: what is seen", 2), Label("L cos θ: what counts", 3)),
         handles=(Handle("the piece of sky", 0, ("theta",)),),
-        camera=Camera(azimuth=-90, elevation=30, distance=8.0, target=(0.0, 0.0, 0.3)),
+        camera=Camera(azimuth=-90, elevation=30, distance=9.6, target=(0.0, 0.0, 0.3)),
     ),
     plot=Curves(
         title="A cap of sky overhead, opened",
@@ -603,7 +603,7 @@ vec4 probe(int i) {
                Mark("angle", colour="exact", segments=24, label="θ", label_at=0.5)),
         labels=(Label("E", 2, "l"), Label("B", 3, "v"), Label("kept", 4)),
         handles=(Handle("the eye", 0, ("theta",)), Handle("what is sent back", 1, ("rho",))),
-        camera=Camera(azimuth=-90, elevation=14, distance=7.4, target=(0.1, 0.0, 0.75)),
+        camera=Camera(azimuth=-90, elevation=14, distance=9.6, target=(0.2, 0.0, 0.75)),
         legend=(("v", "radiance L, every direction"), ("estimate", "flux by direction, L cos θ")),
     ),
     plot=Curves(
@@ -840,7 +840,7 @@ vec4 probe(int i) {
                Mark("dot", colour="v", tip="dot", width=1.5)),
         labels=(Label("wall", 2, "r"),),
         handles=(Handle("the dot", 0, ("from_wall", "along_wall")), Handle("the lamp", 1, ("lamp_x", "lamp_height"))),
-        camera=Camera(azimuth=-58, elevation=28, distance=6.2, target=(1.1, 0.0, 0.75)),
+        camera=Camera(azimuth=-58, elevation=28, distance=7.2, target=(1.1, 0.0, 0.75)),
     ),
     plot=Curves(
         title="Irradiance along the floor",
@@ -888,7 +888,7 @@ BULB = {"electrical_power": 100.0, "source_efficacy": 30.0}
 LEDGER = Step(
     name="ledger",
     title="The unit ledger",
-    idea="Watts, lumens, candela, lux and candela per square metre are five things; each step divides by something.",
+    idea="Watts, lumens, candela, lux and candela per square metre are five things; each is the last times a factor with a unit.",
     slides=("Units for Lighting - Watts", "Units for Lighting - Lumen", "Units for Lighting - Candela"),
     prose=r"""
 Follow the light of a bulb down the ledger. It **draws** $P$ watts and gives lumens by its efficacy: the deck's 100 W at
@@ -1078,7 +1078,7 @@ vec4 probe(int i) {
                *(Mark(f"tick {nm}", colour="quiet") for nm in (380, 480, 580, 680, 780))),
         labels=tuple(Label(f"{nm} nm", i + 1) for i, nm in enumerate((380, 480, 580, 680, 780))),
         handles=(Handle("one wavelength", 0, ("wavelength",)),),
-        camera=Camera(azimuth=-90, elevation=6, distance=7.6, target=(0.0, 0.0, 0.85)),
+        camera=Camera(azimuth=-90, elevation=6, distance=8.6, target=(0.0, 0.0, 0.85)),
         legend=(("exact", "the lamp's spectrum"), ("v", "the eye")),
     ),
     plot=Curves(
