@@ -204,7 +204,28 @@ class Faces:
     camera: Camera = Camera()
 
 
-Plot = Curves | Figure | Faces
+@dataclass(frozen=True)
+class LedgerRow:
+    """A quantity of a ledger; it is the one before it times a factor whose unit is `by` ("": a mere number)."""
+
+    label: str
+    term: Term
+    unit: str
+    by: str = ""
+    how: str = ""  # what the factor is, in a word or two
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Quantities below each other, in columns, their dimensions checked; and a balance: emitted, received, escaped."""
+
+    title: str
+    columns: tuple[tuple[LedgerRow, ...], ...]
+    balance: tuple[Term, Term, Term] | None = None
+    unit: str = ""  # of the balance
+
+
+Plot = Curves | Figure | Faces | Ledger
 
 
 @dataclass(frozen=True)

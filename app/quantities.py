@@ -30,7 +30,7 @@ class Quantity:
 
     @property
     def screen_unit(self) -> str:
-        return "°" if self.is_angle else self.unit
+        return "°" if self.is_angle else self.unit.replace("^2", "²")
 
     @property
     def width(self) -> int:
@@ -97,6 +97,37 @@ TABLE: dict[str, Quantity] = {
     "candela_above": Quantity("I_1", "cd", 0.0, 1000.0, 80.0, "intensity at the larger angle of a ring"),
     "row": Quantity("k", "", 1, 2, 1, "1: angles from the pole; 2: azimuths", kind="int"),
     "angle": Quantity(r"\gamma", "deg", -180.0, 180.0, 30.0, "an angle as a photometric file has it"),
+    # radiometry and photometry
+    "radiant_energy": Quantity("Q", "J", 1.0, 1000.0, 60.0, "energy carried by light", (1e-6, 1e9), "log"),
+    "duration": Quantity("t_0", "s", 1e-3, 1.0, 0.01, "how long the light is on", extreme=(1e-6, 1e6), scale="log"),
+    "time": Quantity("t", "s", 0.0, 1.0, 0.3, "time since the light went on", extreme=(0.0, 1e6)),
+    "radiant_flux": Quantity(r"\Phi", "W", 0.1, 1000.0, 10.0, "energy per time: power of light", (1e-6, 1e9), "log"),
+    "radiant_intensity": Quantity("I", "W/sr", 0.1, 1000.0, 10.0, "flux per solid angle", (1e-6, 1e9), "log"),
+    "radiance": Quantity("L", "W/(m^2 sr)", 0.1, 1000.0, 100.0, "flux per area seen and sr", (1e-6, 1e9), "log"),
+    "irradiance": Quantity("E", "W/m^2", 1.0, 1000.0, 500.0, "flux that arrives per area", (1e-6, 1e9), "log"),
+    "rho": Quantity(r"\rho", "", 0.0, 0.95, 0.8, "share of the light that is reflected", extreme=(0.0, 0.999)),
+    "patch_area": Quantity("A", "m^2", 1e-4, 1.0, 1e-2, "area of a sensor", extreme=(1e-9, 1e4), scale="log"),
+    "opening": Quantity(r"\theta_0", "rad", 0.005, PI / 2, 0.3, "half the angle of a piece of sky", (1e-3, PI / 2)),
+    "sky_piece": Quantity("k", "", 0, 2, 0, "which piece of sky: overhead, sun, window", kind="int"),
+    "luminous_flux": Quantity(r"\Phi_v", "lm", 1.0, 1e5, 3000.0, "flux as the eye counts it", (1e-6, 1e9), "log"),
+    "luminous_intensity": Quantity("I_v", "cd", 0.1, 1e5, 240.0, "luminous flux per solid angle", (1e-6, 1e9), "log"),
+    "illuminance": Quantity("E_v", "lx", 0.1, 1e5, 500.0, "luminous flux that arrives per area", (1e-6, 1e9), "log"),
+    "electrical_power": Quantity("P", "W", 1.0, 1000.0, 100.0, "power drawn from the mains", (1e-3, 1e6), "log"),
+    "source_efficacy": Quantity(r"\eta_v", "lm/W", 1.0, 250.0, 30.0, "lumens per watt drawn", (1e-3, 683.0)),
+    "radiation_efficacy": Quantity("K", "lm/W", 1.0, 683.0, 95.0, "lumens per watt of light", extreme=(1e-3, 683.0)),
+    "radiated_share": Quantity(r"\eta_e", "", 0.05, 1.0, 0.9, "share of the power drawn that is radiated"),
+    "wavelength": Quantity(r"\lambda", "nm", 380.0, 780.0, 555.0, "wavelength in air", extreme=(300.0, 2000.0)),
+    "wavelength_low": Quantity(r"\lambda_1", "nm", 380.0, 500.0, 400.0, "shortest wavelength of a lamp"),
+    "wavelength_high": Quantity(r"\lambda_2", "nm", 600.0, 780.0, 700.0, "longest wavelength of a lamp"),
+    "temperature": Quantity("T", "K", 1000.0, 20000.0, 2700.0, "temperature of a black body", (800.0, 1e5), "log"),
+    "lamp": Quantity("k", "", 0, 2, 0, "which lamp: black body, LED, equal energy", kind="int"),
+    "linear": Quantity("x", "", 0.0, 1.0, 0.18, "a channel of linear light"),
+    "encoded": Quantity("x'", "", 0.0, 1.0, 0.46, "a channel as sRGB stores it"),
+    "from_wall": Quantity("x", "m", 0.05, 2.4, 0.7, "a point of the floor, from the wall", extreme=(0.01, 100.0)),
+    "along_wall": Quantity("y", "m", -1.0, 1.0, 0.0, "a point of the floor, along the wall", extreme=(-100.0, 100.0)),
+    "lamp_x": Quantity("x_L", "m", 0.4, 2.2, 1.7, "the lamp, from the wall", extreme=(0.1, 100.0)),
+    "lamp_height": Quantity("z_L", "m", 1.1, 2.2, 1.7, "the lamp over the floor", extreme=(0.9, 100.0)),
+    "sees": Quantity("k", "", 0, 2, 0, "what is counted: the lamp alone, shadows, the wall's light too", kind="int"),
 }
 
 

@@ -21,6 +21,7 @@ FACTOR = 8.0
 STEP = 2.0**-24  # of the differences: the change that rounding to float32 makes
 CONSTANT = ("triangles", "table")  # data, not inputs: they are given as they are
 SMALLEST = {"float64": 1000 * 2.0**-1022, "float32": 1000 * 2.0**-126}  # below: compared absolutely
+LARGEST = {"float64": 2.0**1023, "float32": 2.0**127}  # beyond: the type has no number for it, and infinite is right
 
 
 def norm(value: np.ndarray, is_vector: bool) -> np.ndarray:
@@ -125,6 +126,12 @@ def _room_terms(table, height, setback, turn, aim, meter_x, meter_s):
     return _illuminance_terms(table, *_meter(height, setback, meter_x, meter_s), turn, aim)
 
 
+def _piece_terms(sky_piece, radiance, opening, theta):
+    size, piece = np.sin(opening), np.asarray(sky_piece)
+    disk, window = _sphere_terms(size, 1.0, theta), _patch_terms(theta, 1.0, 0.0, 2 * size)
+    return radiance * np.select([piece == 1, piece == 2], [disk, window], 0.0)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
@@ -138,6 +145,16 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_outline": _outline_terms,
     "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
+    "irradiance_sphere": lambda radiance, radius, distance, theta: radiance * _sphere_terms(radius, distance, theta),
+    "irradiance_piece": _piece_terms,
+    "irradiance_sensor": lambda radiance, half_angle, theta: radiance * _sphere_terms(np.sin(half_angle), 1.0, theta),
+    "radiant_energy_sensor": lambda radiance, patch_area, half_angle, theta, duration: (
+        radiance * patch_area * duration * _sphere_terms(np.sin(half_angle), 1.0, theta)),
+    "radiant_flux_sensor": lambda radiance, patch_area, half_angle, theta: (
+        radiance * patch_area * _sphere_terms(np.sin(half_angle), 1.0, theta)),
+    "radiance_sensor": lambda radiance, patch_area, half_angle, theta: (
+        radiance * _sphere_terms(np.sin(half_angle), 1.0, theta)
+        / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 
@@ -145,7 +162,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
 def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
     """|got - value| in units of u (1 + cond + kappa) |value|, the value being the float64 twin's at the same inputs.
 
-    A value too small for the type counts 0 when the other is as small, and infinite when it is not.
+    A value too small for the type counts 0 when the other is as small, and infinite when it is not; where the value is
+    too large for it, infinite of the same sign counts 0.
     """
     value, got = np.asarray(twin(function)(**args), float), np.asarray(got, float)
     size = norm(value, is_vector)
@@ -153,6 +171,7 @@ def ratio(function: str, args: dict, got, precision: str = "float32", is_vector:
     if function in TERMS:
         cost = cost + TERMS[function](**args)
     with np.errstate(divide="ignore", invalid="ignore"):
+        got = np.where((np.abs(value) > LARGEST[precision]) & np.isinf(got), np.sign(got) * np.abs(value), got)
         off = norm(np.where(value == got, 0.0, got - value), is_vector)
         found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
                          np.where(off == 0, 0.0, off / (U[precision] * cost)))

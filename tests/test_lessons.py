@@ -161,6 +161,25 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"distance": 2.0, "tilt": 0.0, "width": 1.2}),
     ("solid_angle/projected", "About 0.02 sr", 0.02, 0.005, "projected_solid_angle_patch",
      {"theta": math.pi / 2, "distance": 2.0, "tilt": 0.0, "width": 1.2}),
+    ("radiometry/energy_flux", "60 000 W", 60_000, 1, "radiant_flux_mean", {"radiant_energy": 60.0, "duration": 0.001}),
+    ("radiometry/radiant_intensity", "= 0.80 W/sr", 0.80, 0.005, "radiant_intensity_isotropic", {"radiant_flux": 10.0}),
+    ("radiometry/irradiance", "π = 3.14", 3.14, 0.005, "irradiance_cap", {"radiance": 1.0, "half_angle": math.pi / 2}),
+    ("radiometry/radiosity", "400/π = 127", 127, 0.5, "radiance_lambert", {"rho": 0.8, "irradiance": 500.0}),
+    ("radiometry/radiosity", "400/2π = 64", 64, 0.5, "radiance_lambert_over_hemisphere",
+     {"rho": 0.8, "irradiance": 500.0}),
+    ("radiometry/inverse_square", "[at five diameters](?radius=0.3&distance=3) the excess is one percent", 0.01, 1e-12,
+     "inverse_square_excess", {"radius": 0.3, "distance": 3.0}),
+    ("radiometry/inverse_square", "[half a diameter](?radius=0.7&distance=0.7) it is a hundred", 1.0, 1e-12,
+     "inverse_square_excess", {"radius": 0.7, "distance": 0.7}),
+    ("radiometry/local_only", "Five: 1 + 0.8", 5, 1e-12, "interreflection_gain", {"rho": 0.8}),
+    ("radiometry/ledger", "3000 lm / 4π sr = 239 cd", 239, 0.5, "bulb_luminous_intensity",
+     {"electrical_power": 100.0, "source_efficacy": 30.0}),
+    ("radiometry/ledger", "gets 38.2 lx", 38.2, 0.05, "bulb_illuminance",
+     {"electrical_power": 100.0, "source_efficacy": 30.0, "distance": 2.5}),
+    ("radiometry/eye", "95 lm/W, never more", 95, 0.5, "luminous_efficacy_planck", {"temperature": 6600.0}),
+    ("radiometry/eye", "from 400 to 700 nm: 251", 251, 0.5, "luminous_efficacy_band",
+     {"temperature": 5800.0, "wavelength_low": 400.0, "wavelength_high": 700.0}),
+    ("radiometry/eye", "its light worth 330", 330, 10, "luminous_efficacy_lamp", {"lamp": 1, "temperature": 3000.0}),
 ]
 
 
@@ -192,6 +211,8 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("solid_angle/patch", "solid_angle_patch", "solid_angle_patch_counted", {"samples": 60000}, 3e-3),
     ("solid_angle/cone", "solid_angle_cone", "solid_angle_cone_naive", {}, 1e-6),
     ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
+    ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
+    ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
 ]
 
 

@@ -106,10 +106,19 @@ def not_too_near(a: dict, rng) -> dict:
     return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"] * np.abs(np.cos(a["tilt"]))))}
 
 
+def opened(a: dict, rng) -> dict:
+    """A cone that is neither shut nor flat: what is divided by its solid angle, or reaches to a wall."""
+    return a | {"half_angle": f32(np.clip(a["half_angle"], 1e-4, 1.5))}
+
+
 JOINT = {  # arguments that belong together
     "fibonacci_direction": below_samples,
     "ies_ring_flux": between_the_poles,
     "meets_patch": unit,
+    "radiance_sensor": opened,
+    "radiance_sensor_projected": opened,
+    "radiance_twice_as_far": opened,
+    "radiant_intensity_cone": opened,
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
     "solid_angle_cell": between_the_poles,
@@ -201,6 +210,7 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
     | {"corner_count": np.array(5), "size": f32(1e-4), "distance": f32(1.0), "x": f32([0.3, 0.1, -0.2]), "y": f32(0.2)},
     "projected_solid_angle_sphere_naive": {"radius": f32(1.0), "distance": f32([10.0, 100.0]),
                                            "theta": f32([1.55, 1.57])},
+    "planck_radiance_naive": {"wavelength": f32([1e5, 1e6, 1e5]), "temperature": f32([1e5, 1e5, 2e4])},
     "projected_solid_angle_disk_naive": {"radius": f32(1.0), "height": f32([30.0, 100.0]), "offset": f32(0.5)},
 }
 

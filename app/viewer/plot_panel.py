@@ -4,7 +4,7 @@ import moderngl
 import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves
+from app.lesson import Camera, Curves, Ledger
 from app.plots import PlotDied, PlotProcess
 from app.problem import Problem
 from app.theme import rgb
@@ -105,7 +105,7 @@ class PlotPanel:
     def turn(self) -> None:
         """A plot in space is turned like the scene."""
         found = self.app.session.current
-        if isinstance(found.step.plot, Curves):
+        if isinstance(found.step.plot, Curves | Ledger):
             return
         from dataclasses import replace
 
