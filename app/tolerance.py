@@ -109,7 +109,24 @@ def _ratio_terms(distance, tilt, width):
     return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
 
 
+def _panel_terms(radiance, position, **panel):
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in around]
+    return radiance * _contour_terms(np.stack(corners, -2), 4)
+
+
+def _spherical_rectangle_terms(**args):
+    """1 - w^2 of a point far to the side: its terms, 1 and w^2, over what is left."""
+    point = twin("spherical_rectangle_point")(**args)
+    return norm(point, True) * 2 * (1 + (point[..., 0] / point[..., 2]) ** 2)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "irradiance_panel": _panel_terms,
+    "irradiance_polygon_light": lambda radiance, corners, corner_count: (
+        radiance * _contour_terms(corners, corner_count)),
+    "irradiance_sphere_light": lambda radiance, radius, distance, theta: (
+        radiance * _sphere_terms(radius, distance, theta)),
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,
@@ -119,6 +136,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_outline": _outline_terms,
     "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
+    "spherical_rectangle_point": _spherical_rectangle_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

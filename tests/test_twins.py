@@ -100,6 +100,33 @@ def unit(a: dict, rng) -> dict:
     return a | {"towards": f32(a["towards"] / np.linalg.norm(a["towards"], axis=-1, keepdims=True))}
 
 
+def in_front(a: dict, rng) -> dict:
+    """A rectangle, its far end at most 30 distances to the side."""
+    a = {name: x + np.where(name[-1] == "1", 1e-3, 0.0) if name in ("x1", "y1") else x for name, x in a.items()}
+    ends = [a[k] for k in ("x", "x0", "x1", "y0", "y1") if k in a]
+    far = np.max(np.abs(ends), 0) / 30
+    a = in_order({"x0": -1.0, "x1": 1.0} | a, rng)
+    return {k: a[k] for k in a if k in ("x", "s", "t", "y0", "y1") or len(ends) == 4} | {
+        "distance": f32(np.maximum(a["distance"], far))}
+
+
+def not_along_the_panel(a: dict, rng) -> dict:
+    """Even in solid angle only where no part of the panel is seen more than ten times as far aside as in front."""
+    view = ("light_x", "light_y", "light_height", "panel_tilt", "position")
+    seen = np.abs(optics.twin("panel_view")(**{k: a[k] for k in view}))
+    aside = np.maximum(seen[:, 0] + a["panel_width"], seen[:, 1] + a["panel_depth"])
+    a = a | {"sampling": np.where(aside > 10 * seen[:, 2], a["sampling"] % 4, a["sampling"])}
+    return a | {"index": a["index"] % 4 ** a["level"]} if "index" in a else a
+
+
+def of_its_level(a: dict, rng) -> dict:
+    return a | {"index": a["index"] % 4 ** a["level"]}
+
+
+def with_a_normal(a: dict, rng) -> dict:
+    return a | {"normal": f32(a["normal"] / np.linalg.norm(a["normal"], axis=-1, keepdims=True))}
+
+
 def not_too_near(a: dict, rng) -> dict:
     """The corners of the square are known to u times its width: its plane may not pass the eye much closer."""
     return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"] * np.abs(np.cos(a["tilt"]))))}
@@ -107,6 +134,13 @@ def not_too_near(a: dict, rng) -> dict:
 
 JOINT = {  # arguments that belong together
     "fibonacci_direction": below_samples,
+    "gauss_sample": of_its_level,
+    "grid_sample": of_its_level,
+    "irradiance_at": with_a_normal,
+    "irradiance_panel_sampled": not_along_the_panel,
+    "light_sample": of_its_level,
+    "panel_sample": not_along_the_panel,
+    "stratified_sample": of_its_level,
     "meets_patch": unit,
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
@@ -116,6 +150,8 @@ JOINT = {  # arguments that belong together
     "solid_angle_rectangle_beside": beside,
     "solid_angle_rectangle_off_axis": in_order,
     "solid_angle_triangle": shrunk,
+    "spherical_rectangle_point": in_front,
+    "strip_angle": in_front,
     "solid_angle_triangle_edges": nearest_first,
     "solid_angle_triangle_signed": shrunk,
 }

@@ -28,6 +28,9 @@ MAPPING = {  # a name, or the beginning of names up to a dot
         "projected_solid_angle_wall", {"d": "distance", "b": "width", "h": "height"}),
     "projected_solid_angle.rect_clipped_by_horizon": Twin("projected_solid_angle_polygon", {"P": "corners"}),
     "projected_solid_angle.triangle": Twin("projected_solid_angle_polygon", {"P": "corners"}),
+    "light.spot_linear_cos": Twin("spot_linear_cos", {"cosang": "cosine", "H": "hotspot", "F": "falloff"}),
+    "light.spot_flux": Twin("spot_flux", {"I0": "radiant_intensity", "H": "hotspot", "F": "falloff"}),
+    "light.windowed_falloff_karis": Twin("windowed_falloff", {"d": "distance", "r": "reach"}),
 }
 
 
