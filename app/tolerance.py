@@ -122,6 +122,8 @@ def _spherical_rectangle_terms(**args):
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
+        radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_panel": _panel_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (
         radiance * _contour_terms(corners, corner_count)),

@@ -44,7 +44,7 @@ SLIDES = [title for title in (ROOT / "tests" / "reference" / "deck_slides.txt").
 NOTHING_TO_TEACH = {"Appearance: Local Shading", "Contributors"}
 # The first slide of each part of the deck, and how many of its slides no step teaches yet: the numbers only go down
 PARTS = {
-    "Basic Concepts": 0, "Basic Radiometric Quantities (1)": 4, "Light Sources": 13, "Units for Lighting - Watts": 3,
+    "Basic Concepts": 0, "Basic Radiometric Quantities (1)": 4, "Light Sources": 1, "Units for Lighting - Watts": 3,
     "BRDF – The Reflectance Equation (1)": 27, "The Torrance – Sparrow Microfacet Model (1)": 12,
     "Cook – Torrance – Fresnel Term (1)": 8, "Cook – Torrance – Geometric Term (1)": 7,
     "Cook Torrance – Comparison (1)": 7,

@@ -75,6 +75,17 @@ def irradiance_sphere_light(radiance, radius, distance, theta):
     return np.asarray(radiance, float) * projected_solid_angle_sphere(radius, distance, theta)
 
 
+def irradiance_lamp(radiant_flux, radius, distance, theta):
+    """The irradiance from a sphere of a given flux.
+
+    irradiance_sphere_light of radiance_sphere; above the horizon Phi / (4 pi distance^2) cos theta, whatever the radius
+
+    radiant_flux (...) W, radius > 0, distance (...) m, theta (...) rad. Returns (...) W/m^2. Errors: those of
+    projected_solid_angle_sphere. Source: deck, Punctual Lights; Light Contribution of Area Lights (1).
+    """
+    return irradiance_sphere_light(radiance_sphere(radiant_flux, radius), radius, distance, theta)
+
+
 def irradiance_disk_light(radiance, radius, height, offset):
     """The irradiance on the floor from a disk parallel to it.
 

@@ -89,3 +89,26 @@ def windowed_falloff(distance, reach):
     x = distance / reach
     window = np.maximum(reach - distance, 0) / reach * (1 + x) * (1 + x * x)
     return np.where(distance < reach, window * window / (distance * distance + 1), 0.0)[()]
+
+
+def irradiance_windowed(radiant_intensity, distance, theta, reach):
+    """The irradiance of a point light as game engines take it.
+
+    I windowed_falloff(distance, reach) max(0, cos theta)
+
+    radiant_intensity (...) W/sr, distance, reach (...) m, theta (...) rad. Returns (...) W/m^2. Errors: those of
+    windowed_falloff. Source: Karis 2013, Real Shading in Unreal Engine 4.
+    """
+    facing = np.maximum(np.cos(np.asarray(theta, float)), 0)
+    return np.asarray(radiant_intensity, float) * windowed_falloff(distance, reach) * facing
+
+
+def falloff_error_far(distance, offset):
+    """falloff_error to first order: twice as far, a quarter of the error.
+
+    3/2 (offset / distance)^2
+
+    distance > 0, offset (...) m. Returns (...). Errors: of order (offset / distance)^4.
+    Source: deck, Punctual Lights - Directional.
+    """
+    return 1.5 * (np.asarray(offset, float) / np.asarray(distance, float)) ** 2

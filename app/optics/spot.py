@@ -51,18 +51,18 @@ def spot_linear_cos(cosine, hotspot, falloff):
     return np.where(hard, (q <= edge).astype(float), value)[()]
 
 
-def spot_as_printed(cosine, hotspot, falloff, threshold):
+def spot_as_printed(off_axis, hotspot, falloff, threshold):
     """The spotlight as it is printed: the zone ends at an angle theta_L which the slide defines nowhere.
 
-    1 if cosine > cos H; else 1 - (cos H - cosine) / (cos H - cos F) if cosine > cos threshold; else 0
+    1 if a < H; else 1 - (cos H - cos a) / (cos H - cos F) if a < threshold; else 0
 
-    cosine (...), hotspot, falloff, threshold (...) rad. Returns (...); below 0, negative light, between the falloff and
-    a wider threshold; not a number or infinite at H = F. Errors: that. Source: deck, Light Sources - Spotlights (2).
+    off_axis a, hotspot, falloff, threshold (...) rad. Returns (...); below 0, negative light, between the falloff and a
+    wider threshold; not finite at H = F. Errors: that. Source: deck, Light Sources - Spotlights (2).
     """
-    c, hotspot, falloff, threshold = (np.asarray(x, float) for x in (cosine, hotspot, falloff, threshold))
+    a, hotspot, falloff, threshold = (np.asarray(x, float) for x in (off_axis, hotspot, falloff, threshold))
     with np.errstate(divide="ignore", invalid="ignore"):
-        between = (np.sin(0.5 * falloff) ** 2 - 0.5 * (1 - c)) / _wedge(hotspot, falloff)
-    return np.where(c > np.cos(hotspot), 1.0, np.where(c > np.cos(threshold), between, 0.0))[()]
+        between = _wedge(a, falloff) / _wedge(hotspot, falloff)
+    return np.where(a < hotspot, 1.0, np.where(a < threshold, between, 0.0))[()]
 
 
 def spot_flux(radiant_intensity, hotspot, falloff):

@@ -31,6 +31,11 @@ float irradiance_sphere_light(float radiance, float radius, float distance, floa
     return radiance * projected_solid_angle_sphere(radius, distance, theta);
 }
 
+float irradiance_lamp(float radiant_flux, float radius, float distance, float theta) {
+    // Punctual Lights: a sphere of a given flux; above the horizon the point light Phi / (4 pi r^2) cos, however large
+    return irradiance_sphere_light(radiance_sphere(radiant_flux, radius), radius, distance, theta);
+}
+
 float irradiance_disk_light(float radiance, float radius, float height, float offset) {
     // Light Contribution of Area Lights (1): a disk parallel to the floor
     return radiance * projected_solid_angle_disk(radius, height, offset);

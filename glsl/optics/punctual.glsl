@@ -36,3 +36,14 @@ float windowed_falloff(float distance, float reach) {
     float window = (reach - distance) / reach * (1.0 + x) * (1.0 + x * x);
     return window * window / (distance * distance + 1.0);
 }
+
+float irradiance_windowed(float radiant_intensity, float distance, float theta, float reach) {
+    // Karis 2013, Real Shading in Unreal Engine 4
+    return radiant_intensity * windowed_falloff(distance, reach) * max(cos(theta), 0.0);
+}
+
+float falloff_error_far(float distance, float offset) {
+    // Punctual Lights - Directional: the first order of falloff_error
+    float x = offset / distance;
+    return 1.5 * x * x;
+}

@@ -20,12 +20,12 @@ float spot_linear_cos(float cosine, float hotspot, float falloff) {
     return clamp((edge * edge - q) / (sin(0.5 * (falloff - hotspot)) * sin(0.5 * (falloff + hotspot))), 0.0, 1.0);
 }
 
-float spot_as_printed(float cosine, float hotspot, float falloff, float threshold) {
+float spot_as_printed(float off_axis, float hotspot, float falloff, float threshold) {
     // Spotlights (2) as printed: the last threshold is another angle than the falloff, and nothing is clamped
-    if (cosine > cos(hotspot)) return 1.0;
-    if (cosine <= cos(threshold)) return 0.0;
-    float edge = sin(0.5 * falloff); // 1 - (cos H - c) / (cos H - cos F), its differences as products
-    return (edge * edge - 0.5 * (1.0 - cosine)) / (sin(0.5 * (falloff - hotspot)) * sin(0.5 * (falloff + hotspot)));
+    if (off_axis < hotspot) return 1.0;
+    if (off_axis >= threshold) return 0.0;
+    float above = sin(0.5 * (falloff - off_axis)) * sin(0.5 * (falloff + off_axis)); // 1 - (cos H - cos a) / (cos H - cos F)
+    return above / (sin(0.5 * (falloff - hotspot)) * sin(0.5 * (falloff + hotspot)));
 }
 
 float spot_flux(float radiant_intensity, float hotspot, float falloff) {
