@@ -121,6 +121,11 @@ def _spherical_rectangle_terms(**args):
     return norm(point, True) * 2 * (1 + (point[..., 0] / point[..., 2]) ** 2)
 
 
+def _strip_terms(strip, y0, y1, distance):
+    x = twin("strip_end")(strip, y0, y1, distance)
+    return np.abs(x) * 2 * (1 + (x / distance) ** 2)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
@@ -139,6 +144,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
     "spherical_rectangle_point": _spherical_rectangle_terms,
+    "strip_end": _strip_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -96,8 +96,8 @@ vec4 probe(int i) {
         marks=tuple(Mark(f"intensity {i}", colour="l", tip="arrow", width=0.9) for i in range(12)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp's rim", 0, ("radius",)), Handle("the lamp", 1, ("light_height",))),
-        camera=Camera(azimuth=-66, elevation=28, distance=8.6, target=(0.0, -0.2, 0.35)),
-        legend=(("l", "arrows: intensity, the same for every size"),),
+        camera=Camera(azimuth=-72, elevation=36, distance=8.2, target=(0.0, -0.2, 0.3)),
+        legend=(("l", "arrows: intensity"),),
     ),
     plot=Curves(
         title="The same flux from a smaller lamp",
@@ -214,7 +214,7 @@ vec4 probe(int i) {
         ),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100", 5), Label("1000 W/m²", 6)),
         handles=(Handle("the light", 0, ("theta", "phi")), Handle("its distance", 1, ("distance",))),
-        camera=Camera(azimuth=-64, elevation=30, distance=9.2, target=(0.0, 0.0, 0.3)),
+        camera=Camera(azimuth=-70, elevation=34, distance=8.8, target=(0.0, 0.0, 0.35)),
     ),
     plot=Curves(
         title="Irradiance at x against distance",
@@ -252,7 +252,7 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
     values=(Value("distance", 0.9, low=0.02, high=4.0), Value("theta", 25.0, low=0.0, high=150.0),
             Value("phi", 60.0, more=True), Value("radiant_intensity", 10.0), Value("source_radius", 0.06, low=0.01, high=0.5),
-            Value("reach", 3.0, low=0.5, high=10.0, more=True)),
+            Value("reach", 6.0, low=0.5, high=10.0, more=True)),
     minutes=5,
 )
 
@@ -327,9 +327,9 @@ vec4 probe(int i) {
             Mark("aside", colour="exact", tip="dot", label="ρ", label_at=0.5),
             Mark("the light", colour="l", tip="sun", width=1.7),
         ),
-        labels=(Label("none", 2), Label("half", 3), Label("of the middle's", 4)),
+        labels=(Label("none", 2), Label("half", 3), Label("as the middle", 4)),
         handles=(Handle("the light", 0, ("distance",)), Handle("the place aside", 1, ("offset",))),
-        camera=Camera(azimuth=-76, elevation=26, distance=8.8, target=(0.0, -0.2, 0.75)),
+        camera=Camera(azimuth=-80, elevation=33, distance=8.6, target=(0.0, -0.2, 0.6)),
     ),
     plot=Curves(
         title="How much less at ρ than in the middle",
@@ -433,12 +433,12 @@ vec4 probe(int i) {
         marks=(Mark("axis", colour="quiet", line="dashed"),),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp", 0, ("light_height",)), Handle("the peak", 1, ("exponent",))),
-        camera=Camera(azimuth=-62, elevation=24, distance=9.4, target=(0.0, 0.0, 0.65)),
+        camera=Camera(azimuth=-70, elevation=27, distance=9.2, target=(0.0, 0.0, 0.6)),
     ),
     plot=Figure(
         title="Photometric solid, 2 m for 1/sr",
         sheets=(Sheet("f_e of the lamp", Term("photometric_solid"), colour="l", cells=(64, 128)),),
-        camera=Camera(azimuth=-60, elevation=8, distance=6.4, target=(0.0, 0.0, -0.75)),
+        camera=Camera(azimuth=-60, elevation=10, distance=5.6, target=(0.0, 0.0, -0.95)),
     ),
     readouts=(
         Readout("peak intensity", Term("radiant_intensity_of", {"theta": 0.0}), role="exact", unit="W/sr"),
@@ -463,7 +463,7 @@ less flux. Ask why cos^n on a floor falls as cos^(n+3). Measured lamps are next.
 """,
     sources=("Deck, slides Lighting Distribution (1) to (3)", "Normalisation: integrals in closed form"),
     honesty="Exact; ideal lobes, no real lamp. In the room the solid is drawn at 1.1 m for 1/sr. Far field: a point.",
-    values=(Value("distribution", 1, choices=("constant", "cosine", "cosⁿ")), Value("exponent", 4.0, low=1.0, high=8.0),
+    values=(Value("distribution", 2, choices=("constant", "cosine", "cosⁿ")), Value("exponent", 3.0, low=1.0, high=6.0),
             Value("radiant_flux", 60.0), Value("light_height", 1.7, low=0.5, high=2.2)),
     minutes=5,
 )
@@ -559,7 +559,7 @@ vec4 probe(int i) {
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the hotspot", 0, ("hotspot",)), Handle("the falloff", 1, ("falloff",)),
                  Handle("a ray", 6, ("off_axis",))),
-        camera=Camera(azimuth=-58, elevation=27, distance=9.2, target=(0.0, 0.0, 0.45)),
+        camera=Camera(azimuth=-64, elevation=32, distance=8.8, target=(0.0, 0.0, 0.4)),
         legend=(("printed", "dots: negative light"),),
     ),
     plot=Curves(
@@ -675,7 +675,7 @@ vec3 shade(Surface s) {
     if (s.id == 4) return lamp_colour(s);
     int own = pattern == 0 ? int(gl_FragCoord.x) + 8192 * int(gl_FragCoord.y) : seed;
     float found = irradiance_panel_sampled(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position, sampling, level, own);
-    if (s.id == 0) return decades(found, -1.5, 1.5);
+    if (s.id == 0) return decade_colour(found, -1.5, 1.5);
     float right = exact(s.position);
     return diverging(right > 0.0 ? 2.0 * (found - right) / right : 0.0);
 }
@@ -708,21 +708,21 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("floor, sampled", cells=(2, 2)), Surface("floor, error", cells=(2, 2)),
                   Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
-        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n"),
+        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
         dots=Dots(1024, size=0.9),
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
-        camera=Camera(azimuth=-84, elevation=32, distance=9.0, target=(0.0, -0.2, 0.3)),
+        camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
     ),
     plot=Curves(
         title="Error at x against the number of samples",
         sweep="level",
         curves=(
             Curve("exact", Term("irradiance_panel")),
-            Curve("these samples", Term("irradiance_panel_sampled"), role="estimate"),
-            Curve("without cos θ′", Term("irradiance_panel_without_cosine"), role="printed"),
+            Curve("these samples", Term("irradiance_panel_sampled"), role="estimate", precision="float32"),
+            Curve("without cos θ′", Term("irradiance_panel_without_cosine"), role="printed", precision="float32"),
         ),
         y_label="relative error",
         y_scale="log",
@@ -805,7 +805,7 @@ vec3 surface_point(int surface, vec2 s) {
     if (surface == 3) return panel_point(bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, s.x, s.y);
     if (surface == 4) return vec3(bay(1) + radius * s.y * cos(6.2831853 * s.x), radius * s.y * sin(6.2831853 * s.x), light_height);
     if (surface == 5) return vec3(bay(2), 0.0, light_height) + radius * sphere_point(s.x, s.y);
-    return vec3(3.2 * s.x - 1.6, -1.96 + 0.16 * s.y, 0.0);
+    return vec3(3.2 * s.x - 1.6, -2.3 + 0.16 * s.y, 0.0);
 }
 
 vec3 shade(Surface s) {
@@ -824,11 +824,11 @@ vec3 mark_point(int mark, float t) {
 }
 
 vec4 probe(int i) {
-    if (i < 3) return vec4(bay(i), -1.6, 0.0, 1.0);
+    if (i < 3) return vec4(bay(i), -1.85, 0.0, 1.0);
     if (i == 3) return vec4(bay(1), 0.0, light_height, 1.0);
     if (i == 4) return vec4(bay(2) + radius, 0.0, light_height, 1.0);
     if (i == 5) return vec4(panel_point(bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, 0.5, 0.0), 1.0);
-    return vec4(i == 6 ? -1.55 : i == 7 ? -0.5333 : i == 8 ? 0.5333 : 1.45, -2.2, 0.0, 1.0);
+    return vec4(i == 6 ? -1.55 : i == 7 ? -0.5333 : i == 8 ? 0.5333 : 1.45, -2.55, 0.0, 1.0);
 }
 """,
         surfaces=(Surface("floor: panel", cells=(2, 2)), Surface("floor: disk", cells=(2, 2)),
@@ -841,7 +841,7 @@ vec4 probe(int i) {
                 Label("0.1", 6), Label("1", 7), Label("10", 8), Label("100 W/m²", 9)),
         handles=(Handle("the height", 3, ("light_height",)), Handle("the radius", 4, ("radius",)),
                  Handle("the panel's edge", 5, ("panel_tilt",))),
-        camera=Camera(azimuth=-74, elevation=30, distance=8.8, target=(0.0, -0.2, 0.3)),
+        camera=Camera(azimuth=-78, elevation=34, distance=8.4, target=(0.0, -0.2, 0.25)),
     ),
     plot=Curves(
         title="Straight below, against height",
@@ -927,7 +927,7 @@ vec3 shade(Surface s) {
     int own = int(gl_FragCoord.x) + 8192 * int(gl_FragCoord.y) + seed;
     float found = irradiance_panel_sampled(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position, sampling, level, own);
     float right = exact(s.position);
-    return decades(right > 0.0 ? max(abs(found - right) / right, 1e-7) : 0.0, -6.0, 0.0);
+    return decade_colour(right > 0.0 ? max(abs(found - right) / right, 1e-7) : 0.0, -6.0, 0.0);
 }
 
 vec3 dot_point(int i) {
@@ -951,12 +951,12 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
-        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n")),
+        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
         dots=Dots(1024, size=0.9),
-        labels=(Label("10^-6", 3), Label("10^-4", 4), Label("1 %", 5), Label("100 %", 6)),
+        labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),
-        camera=Camera(azimuth=-84, elevation=32, distance=9.0, target=(0.0, -0.2, 0.3)),
+        camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
     ),
     plot=Curves(
         title="Error at x against samples (4 to the power of)",

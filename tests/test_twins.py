@@ -102,12 +102,19 @@ def unit(a: dict, rng) -> dict:
 
 def in_front(a: dict, rng) -> dict:
     """A rectangle, its far end at most 30 distances to the side."""
-    a = {name: x + np.where(name[-1] == "1", 1e-3, 0.0) if name in ("x1", "y1") else x for name, x in a.items()}
+    a = a | {name: a[name] + 1e-3 for name in ("x1", "y1") if name in a}
+    used = set(a)
+    a = in_order({"x0": a["y0"], "x1": a["y1"]} | a, rng)
     ends = [a[k] for k in ("x", "x0", "x1", "y0", "y1") if k in a]
-    far = np.max(np.abs(ends), 0) / 30
-    a = in_order({"x0": -1.0, "x1": 1.0} | a, rng)
-    return {k: a[k] for k in a if k in ("x", "s", "t", "y0", "y1") or len(ends) == 4} | {
-        "distance": f32(np.maximum(a["distance"], far))}
+    a = a | {"distance": f32(np.maximum(a["distance"], np.max(np.abs(ends), 0) / 30))}
+    return {name: a[name] for name in a if name in used}
+
+
+def with_an_end(a: dict, rng) -> dict:
+    """A solid angle that a part of the strip has."""
+    a = in_front(a | {"x": draw("x", rng)}, rng)
+    return {"strip": f32(optics.twin("strip_angle")(**{k: a[k] for k in ("x", "y0", "y1", "distance")}))} | {
+        k: a[k] for k in ("y0", "y1", "distance")}
 
 
 def not_along_the_panel(a: dict, rng) -> dict:
@@ -151,7 +158,9 @@ JOINT = {  # arguments that belong together
     "solid_angle_rectangle_off_axis": in_order,
     "solid_angle_triangle": shrunk,
     "spherical_rectangle_point": in_front,
+    "strip_across": in_front,
     "strip_angle": in_front,
+    "strip_end": with_an_end,
     "solid_angle_triangle_edges": nearest_first,
     "solid_angle_triangle_signed": shrunk,
 }

@@ -1,11 +1,17 @@
 #include "display/palette.glsl"
 
-// A value over decades through the theme's map: 0 at `low`, 1 at `high`, a thin dark line at each whole power of ten.
-vec3 decades(float value, float low, float high) {
+// A value over powers of ten through the theme's map: from `low` to `high`; what is not lit at all is darker still.
+vec3 decade_colour(float value, float low, float high) {
     float at = log(max(value, 1e-30)) / log(10.0);
-    vec3 colour = colormap((at - low) / (high - low));
+    return value > 0.0 ? colormap((at - low) / (high - low)) : colormap(0.0) * 0.55;
+}
+
+// The same with a thin dark line at each whole power of ten from `low` on.
+vec3 decades(float value, float low, float high) {
+    vec3 colour = decade_colour(value, low, high);
+    float at = log(max(value, 1e-30)) / log(10.0);
     float line = abs(fract(at - 0.5) - 0.5) / max(fwidth(at), 1e-6);
-    return value > 0.0 ? mix(colour * 0.25, colour, smoothstep(0.3, 1.3, line)) : colormap(0.0) * 0.55;
+    return at > low - 0.02 ? mix(colour * 0.25, colour, smoothstep(0.3, 1.3, line)) : colour;
 }
 
 // A signed error from -1 to 1: blue too little, orange too much, the background's middle for none.

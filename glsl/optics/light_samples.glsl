@@ -47,10 +47,10 @@ vec2 sobol_sample(int index, int seed) {
 
 vec3 gauss_sample(int index, int level) {
     // Abramowitz and Stegun 25.4.30: (s, t, weight); from 8 x 8 points on, cells with 8 x 8 each
-    int rows = 1 << level, order = min(rows, 8), cells = rows / order, i = index % rows, j = index / rows;
-    vec2 cell = vec2(float(i / order), float(j / order));
-    i = order - 1 + i % order;
-    j = order - 1 + j % order;
-    float n = float(cells);
+    int rows = 1 << level, part = min(level, 3), order = 1 << part, i = index & (rows - 1), j = index >> level;
+    vec2 cell = vec2(float(i >> part), float(j >> part));
+    i = order - 1 + (i & (order - 1));
+    j = order - 1 + (j & (order - 1));
+    float n = float(rows >> part);
     return vec3((cell + vec2(RULE_AT[i], RULE_AT[j])) / n, RULE_WEIGHT[i] * RULE_WEIGHT[j] / (n * n));
 }

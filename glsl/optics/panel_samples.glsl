@@ -58,16 +58,19 @@ float irradiance_panel_sampled(float radiance, float light_x, float light_y, flo
         sum += sample_share(way + (at.x - 0.5) * side + (at.y - 0.5) * up);
     }
     for (int i = 0; i < (sampling > 3 && angles == 0 ? count : 0); i++) {
-        vec3 at = light_sample(sampling, level, seed, i);
+        vec3 at = sampling == 5 ? gauss_sample(i, level) * vec3(1.0, 1.0, float(count)) : vec3(sobol_sample(i, seed), 1.0);
         sum += at.z * sample_share(way + (at.x - 0.5) * side + (at.y - 0.5) * up);
     }
     if (angles == 0) return radiance * panel_width * panel_depth * seen.z * sum / float(count);
+    vec2 x = vec2(seen.x - w, seen.x + w), y = vec2(seen.y - d, seen.y + d);
+    vec2 strips = vec2(strip_angle(x.x, y.x, y.y, seen.z), strip_angle(x.y, y.x, y.y, seen.z));
     for (int i = 0; i < angles; i++) {
-        vec3 at = light_sample(sampling, level, seed, i);
-        vec3 p = spherical_rectangle_point(seen.x - w, seen.x + w, seen.y - d, seen.y + d, seen.z, at.x, at.y);
-        sum += at.z * max(p.y * s + p.z * c, 0.0) / length(p);
+        vec3 at = sampling == 5 ? gauss_sample(i, level) * vec3(1.0, 1.0, float(count)) : vec3(sobol_sample(i, seed), 1.0);
+        float px = clamp(strip_end(mix(strips.x, strips.y, at.x), y.x, y.y, seen.z), x.x, x.y);
+        float py = strip_across(px, y.x, y.y, seen.z, at.y);
+        sum += at.z * max(py * s + seen.z * c, 0.0) / length(vec3(px, py, seen.z));
     }
-    return radiance * solid_angle_rectangle_off_axis(seen.x - w, seen.x + w, seen.y - d, seen.y + d, seen.z) * sum / float(count);
+    return radiance * solid_angle_rectangle_off_axis(x.x, x.y, y.x, y.y, seen.z) * sum / float(count);
 }
 
 float irradiance_panel_without_cosine(float radiance, float light_x, float light_y, float light_height, float panel_width, float panel_depth, float panel_tilt, vec3 position, int level) {
