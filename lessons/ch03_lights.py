@@ -136,8 +136,8 @@ intensity. The units already differ. End with the lamp in the floor: the excepti
 """,
     sources=("Deck, slides Light Sources and Punctual Lights", "optics reference 2.3: sphere; D5: a point has no radiance"),
     honesty="Exact, for a Lambert sphere. The lamp's own colour only hints at its radiance. No shadows: local shading.",
-    values=(Value("radius", 0.25, low=0.005, high=0.6), Value("radiant_flux", 60.0),
-            Value("light_height", 0.9, low=0.1, high=2.0)),
+    values=(Value("radius", 0.25, low=0.005, high=0.6), Value("radiant_flux", 150.0),
+            Value("light_height", 0.8, low=0.1, high=2.0)),
     minutes=4,
 )
 
@@ -188,8 +188,8 @@ vec3 shade(Surface s) {
 
 vec3 mark_point(int mark, float t) {
     if (mark == 0) return light() * t;
-    if (mark == 1) return vec3(0.0, 0.0, 0.55 * t);
-    if (mark == 2) return direction_to_light(vec3(0.0), light()) * 0.5 * t;
+    if (mark == 1) return vec3(0.0, 0.0, 0.9 * t);
+    if (mark == 2) return direction_to_light(vec3(0.0), light()) * 0.8 * t;
     if (mark == 3) return vec3(light().xy, light().z * (1.0 - t));
     return light() + source_radius * vec3(cos(6.2831853 * t), sin(6.2831853 * t), 0.0);
 }
@@ -206,11 +206,11 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1))),
         marks=(
-            Mark("way", colour="quiet", line="dashed", label="r", label_at=0.75),
+            Mark("way", colour="quiet", line="dashed", label="r", label_at=0.62),
             Mark("normal", colour="n", tip="arrow", label="n"),
             Mark("to the light", colour="l", tip="arrow", width=1.4, label="l"),
             Mark("plumb line", colour="quiet", line="dotted", width=0.7),
-            Mark("the light", colour="l", tip="sun", segments=32, width=1.5),
+            Mark("the light", colour="l", tip="sun", segments=32, width=1.2),
         ),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100", 5), Label("1000 W/m²", 6)),
         handles=(Handle("the light", 0, ("theta", "phi")), Handle("its distance", 1, ("distance",))),
@@ -250,8 +250,8 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     sources=("Deck, slide Punctual Lights - Positional", "Deck, slide Plausible Shading - Measuring Light",
              "Karis 2013, Real Shading in Unreal Engine 4", "optics reference 2.7"),
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
-    values=(Value("distance", 0.9, low=0.02, high=4.0), Value("theta", 25.0, low=0.0, high=150.0),
-            Value("phi", 60.0, more=True), Value("radiant_intensity", 10.0), Value("source_radius", 0.06, low=0.01, high=0.5),
+    values=(Value("distance", 1.5, low=0.02, high=4.0), Value("theta", 40.0, low=0.0, high=150.0),
+            Value("phi", 20.0, more=True), Value("radiant_intensity", 60.0), Value("source_radius", 0.06, low=0.01, high=0.5),
             Value("reach", 6.0, low=0.5, high=10.0, more=True)),
     minutes=5,
 )
@@ -325,7 +325,7 @@ vec4 probe(int i) {
             *(Mark(f"ray {i}", colour="l", tip="arrow", width=1.2) for i in range(5)),
             Mark("way", colour="quiet", line="dashed", label="r", label_at=0.5),
             Mark("aside", colour="exact", tip="dot", label="ρ", label_at=0.5),
-            Mark("the light", colour="l", tip="sun", width=1.7),
+            Mark("the light", colour="l", tip="sun", width=1.2),
         ),
         labels=(Label("none", 2), Label("half", 3), Label("as the middle", 4)),
         handles=(Handle("the light", 0, ("distance",)), Handle("the place aside", 1, ("offset",))),
@@ -342,8 +342,8 @@ vec4 probe(int i) {
         y_scale="log",
     ),
     readouts=(
-        Readout("less at ρ", Term("falloff_error"), role="exact", unit="of it"),
-        Readout("3/2 (ρ/r)²", Term("falloff_error_far"), role="estimate", unit="of it", against="less at ρ"),
+        Readout("less at ρ", Term("falloff_error"), role="exact", unit=""),
+        Readout("3/2 (ρ/r)²", Term("falloff_error_far"), role="estimate", unit="", against="less at ρ"),
     ),
     ask=Prediction(
         question="A lamp 5 m over the middle of a floor. By which share is it darker 2 m to the side?",
@@ -437,7 +437,7 @@ vec4 probe(int i) {
     ),
     plot=Figure(
         title="Photometric solid, 2 m for 1/sr",
-        sheets=(Sheet("f_e of the lamp", Term("photometric_solid"), colour="l", cells=(64, 128)),),
+        sheets=(Sheet("the lamp's distribution", Term("photometric_solid"), colour="l", cells=(64, 128)),),
         camera=Camera(azimuth=-60, elevation=10, distance=5.6, target=(0.0, 0.0, -0.95)),
     ),
     readouts=(
@@ -500,7 +500,7 @@ uniform float radiant_intensity;
 uniform int edge;
 uniform float off_axis;
 
-const vec3 LAMP = vec3(0.0, -0.6, 1.5);
+const vec3 LAMP = vec3(0.0, -0.9, 1.8);
 const vec3 AXIS = vec3(0.0, 0.6, -0.8);
 const vec3 RIGHT = vec3(1.0, 0.0, 0.0);
 const vec3 OVER = vec3(0.0, 0.8, 0.6);
@@ -513,7 +513,7 @@ vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
     if (surface == 1) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
     if (surface == 2) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
-    return LAMP + 0.9 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
+    return LAMP + 1.3 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
 }
 
 vec3 shade(Surface s) {
@@ -530,21 +530,21 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    if (mark == 0) return LAMP + 1.2 * t * AXIS;
-    if (mark == 1) return LAMP + 0.9 * ray(min(hotspot, falloff), 6.2831853 * t);
-    if (mark == 2) return LAMP + 0.9 * ray(falloff, 6.2831853 * t);
-    if (mark == 3) return LAMP + 1.15 * t * ray(off_axis, 3.14159);
+    if (mark == 0) return LAMP + 1.6 * t * AXIS;
+    if (mark == 1) return LAMP + 1.3 * ray(min(hotspot, falloff), 6.2831853 * t);
+    if (mark == 2) return LAMP + 1.3 * ray(falloff, 6.2831853 * t);
+    if (mark == 3) return LAMP + 1.5 * t * ray(off_axis, 3.14159);
     return LAMP;
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(LAMP + 0.9 * ray(min(hotspot, falloff), 0.0), 1.0);
-    if (i == 1) return vec4(LAMP + 0.9 * ray(falloff, 0.0), 1.0);
+    if (i == 0) return vec4(LAMP + 1.3 * ray(min(hotspot, falloff), 0.0), 1.0);
+    if (i == 1) return vec4(LAMP + 1.3 * ray(falloff, 0.0), 1.0);
     if (i == 2) return vec4(-1.6, -2.6, 0.0, 1.0);
     if (i == 3) return vec4(-0.5333, -2.6, 0.0, 1.0);
     if (i == 4) return vec4(0.5333, -2.6, 0.0, 1.0);
     if (i == 5) return vec4(1.5, -2.6, 0.0, 1.0);
-    return vec4(LAMP + 1.15 * ray(off_axis, 3.14159), 1.0);
+    return vec4(LAMP + 1.5 * ray(off_axis, 3.14159), 1.0);
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1)),
@@ -554,7 +554,7 @@ vec4 probe(int i) {
             Mark("hotspot rim", colour="l", segments=64, width=1.4, label="H", label_at=0.0),
             Mark("falloff rim", colour="exact", line="dashed", segments=64, label="F", label_at=0.0),
             Mark("ray", colour="quiet", line="dotted", tip="dot", label="α"),
-            Mark("the lamp", colour="l", tip="sun", width=1.5),
+            Mark("the lamp", colour="l", tip="sun", width=1.1),
         ),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the hotspot", 0, ("hotspot",)), Handle("the falloff", 1, ("falloff",)),
@@ -596,7 +596,7 @@ slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). 6
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
             Value("edge", 0, choices=("linear", "smoothstep", "as printed")),
             Value("threshold", 50.0, low=2.0, high=80.0), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
-            Value("radiant_intensity", 60.0, more=True)),
+            Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
 )
 
@@ -729,6 +729,7 @@ vec4 probe(int i) {
         error=True,
     ),
     readouts=(
+        Readout("flux of a sample", Term("sample_flux"), unit="W"),
         Readout("exact at x", Term("irradiance_panel"), role="exact", unit="W/m²"),
         Readout("these samples", Term("irradiance_panel_sampled"), role="estimate", unit="W/m²", against="exact at x"),
         Readout("without cos θ′", Term("irradiance_panel_without_cosine"), role="printed", unit="W/m²",
@@ -760,7 +761,7 @@ the slide's "to avoid patterns". Forget the emitter's cosine: 26 becomes 37 W/m�
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
             Value("panel_width", 1.8, low=0.1, more=True), Value("panel_depth", 0.9, low=0.1, high=2.0, more=True),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True),
-            Value("position", (0.0, -0.5, 0.0), low=-1.5, high=1.5, more=True), Value("seed", 7, more=True)),
+            Value("position", (0.0, -0.5, 0.0), low=-1.5, high=1.5, more=True), Value("seed", 3, more=True)),
     minutes=7,
 )
 
@@ -1006,7 +1007,7 @@ shadow, a mirror; Gauss needs smoothness, Sobol and stratified do not mind. Far 
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
             Value("panel_width", 1.8, low=0.3, more=True), Value("panel_depth", 0.9, low=0.3, high=2.0, more=True),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True),
-            Value("position", (0.0, -0.3, 0.0), low=-1.5, high=1.5, more=True), Value("seed", 7, more=True)),
+            Value("position", (0.0, -0.3, 0.0), low=-1.5, high=1.5, more=True), Value("seed", 3, more=True)),
     minutes=6,
     beyond=True,
 )

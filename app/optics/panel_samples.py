@@ -67,6 +67,18 @@ def panel_sample(light_x, light_y, light_height, panel_width, panel_depth, panel
     return np.where(even[..., None], position + turned, by_area)
 
 
+def sample_flux(radiance, panel_width, panel_depth, level):
+    """The flux of each of the punctual lights that stand for the panel; its intensity is L A cos_light / N.
+
+    pi L A / N, A = w d, N = 4^level
+
+    radiance (...) W/(m^2 sr), panel_width, panel_depth (...) m, level (...) int. Returns (...) W; all sum to the panel's.
+    Errors: none. Source: deck, Light Contribution of Area Lights (1): "properties derived from the area light".
+    """
+    area = np.asarray(panel_width, float) * np.asarray(panel_depth, float)
+    return np.pi * np.asarray(radiance, float) * area / 4.0 ** np.asarray(level)
+
+
 def sample_share(way):
     """What a sample gives per area, radiance and distance of its plane: the rest of cos cos_light / r^2.
 

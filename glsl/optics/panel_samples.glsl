@@ -26,6 +26,11 @@ vec3 panel_sample(float light_x, float light_y, float light_height, float panel_
     return position + vec3(p.x, p.y * c - p.z * s, p.y * s + p.z * c);
 }
 
+float sample_flux(float radiance, float panel_width, float panel_depth, int level) {
+    // Light Contribution of Area Lights (1): the flux of each of the punctual lights the panel is cut into, pi L A / N
+    return PI * radiance * panel_width * panel_depth / float(1 << (2 * level));
+}
+
 float sample_share(vec3 way) {
     // Light Contribution of Area Lights (1): n.l / r^3, what a sample gives per area, radiance and distance to its plane
     float r2 = dot(way, way);
