@@ -52,7 +52,6 @@ nothing.
         glsl="""
 #include "optics/area_light.glsl"
 #include "optics/spherical.glsl"
-#include "display/look.glsl"
 #include "display/scale.glsl"
 uniform float radius;
 uniform float radiant_flux;

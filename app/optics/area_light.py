@@ -1,7 +1,8 @@
 """Area lights of one radiance: what flux makes of it, and the irradiance they give in closed form.
 
-The panel of the lessons: panel_width along x, panel_depth turned by panel_tilt about x, its middle at (light_x, light_y,
-light_height) over the floor z = 0. It shines on one side, downwards at tilt 0, and as Lambert says in every direction.
+The panel of the lessons: panel_width along x, panel_depth turned by panel_tilt about x, its middle at (light_x,
+light_y, light_height) over the floor z = 0. It shines on one side, downwards at tilt 0, in every
+direction as Lambert says.
 A size of 0 leaves a flux no area: the radiance is then infinite, and the stage marks it.
 """
 

@@ -67,8 +67,8 @@ def stratified_sample(index, level, seed):
 def sobol_sample(index, seed):
     """A point of Sobol's first two dimensions, a (0,2)-sequence: every 4^k points put one into each of 2^k x 2^k cells.
 
-    The bits of index reversed, and the same through the direction numbers v_(j+1) = v_j xor (v_j >> 1); all exclusive-or
-    a number made of the seed, which keeps the property. 24 bits are kept.
+    The bits of index reversed, and the same through the direction numbers v_(j+1) = v_j xor (v_j >> 1); all
+    exclusive-or a number made of the seed, which keeps the property. 24 bits are kept.
 
     index, seed (...) int. Returns (..., 2) in [0, 1). Errors: none; seed 0 is the sequence as it is.
     Source: Kollig and Keller 2002, Efficient Multidimensional Sampling.

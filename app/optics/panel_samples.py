@@ -72,8 +72,8 @@ def sample_flux(radiance, panel_width, panel_depth, level):
 
     pi L A / N, A = w d, N = 4^level
 
-    radiance (...) W/(m^2 sr), panel_width, panel_depth (...) m, level (...) int. Returns (...) W; all sum to the panel's.
-    Errors: none. Source: deck, Light Contribution of Area Lights (1): "properties derived from the area light".
+    radiance (...) W/(m^2 sr), panel_width, panel_depth (...) m, level (...) int. Returns (...) W; they sum to the
+    panel's. Errors: none. Source: deck, Light Contribution of Area Lights (1): "derived from the area light".
     """
     area = np.asarray(panel_width, float) * np.asarray(panel_depth, float)
     return np.pi * np.asarray(radiance, float) * area / 4.0 ** np.asarray(level)

@@ -82,8 +82,9 @@ def windowed_falloff(distance, reach):
 
     (1 - (distance / reach)^4)^2 / (distance^2 + 1), 0 beyond the reach; the 1 is one square metre
 
-    distance, reach > 0 (...) m. Returns (...) 1/m^2. Errors: against 1 / distance^2: half at 1 m, a hundredth at 10 m of
-    a far larger reach; it depends on the unit of length. Source: Karis 2013, Real Shading in Unreal Engine 4.
+    distance, reach > 0 (...) m. Returns (...) 1/m^2. Errors: against 1 / distance^2: half of it at 1 m, 1 % less
+    at 10 m within a far larger reach; it depends on the unit of length.
+    Source: Karis 2013, Real Shading in Unreal Engine 4.
     """
     distance, reach = np.asarray(distance, float), np.asarray(reach, float)
     x = distance / reach

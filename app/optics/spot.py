@@ -38,7 +38,7 @@ def spot_smooth(off_axis, hotspot, falloff):
 
 
 def spot_linear_cos(cosine, hotspot, falloff):
-    """The deck's spotlight from the cosine of the angle to the beam axis, -l.d with l to the light and d along the beam.
+    """The deck's spotlight from the cosine of the angle to its axis, -l.d with l to the light and d along the beam.
 
     q = (1 - cosine) / 2 = sin^2(a/2): clamp((sin^2(F/2) - q) / (sin((F+H)/2) sin((F-H)/2)), 0, 1)
 
