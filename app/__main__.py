@@ -133,7 +133,10 @@ def course(options: argparse.Namespace) -> int:
 
 
 def has_display() -> bool:
-    return sys.platform in ("darwin", "win32") or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    """Whether a window can open; without DISPLAY nothing of the window is imported."""
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        return False
+    return bool(import_module("app.viewer.glfw").has_display())
 
 
 # --- pictures --------------------------------------------------------------------------------------------------------

@@ -144,7 +144,7 @@ Start with an outstretched arm: one radian is as wide as the arm is long. Then d
 Ask for the number of radians first, everyone knows it; the steradians nobody does. Common guess: 2π (that is half of
 everything) or (2π)² (angles do not multiply on a sphere). Drag the cap to 90° and ask what is left. 4 minutes.
 """,
-    sources=("Deck, slides Basic Concepts and Solid Angles", "optics reference 2.2: cone 4π sin²(θ/2)"),
+    sources=("Deck, slides Basic Concepts and Solid Angles", "Archimedes, On the Sphere and Cylinder: the area of a cap"),
     honesty="Exact. The marks of one radian and one steradian are drawn at half angles of 0.5 and arccos(1 - 1/2π) rad.",
     minutes=4,
 )
@@ -225,7 +225,7 @@ $$\omega \approx \frac{dA\,\cos\beta}{r^2}$$
 Drag the patch, its normal, its distance. Or count: of $N$ points spread evenly over the sphere, take the share the patch
 covers.
 
-[Twice as far](?distance=4), [edge on](?tilt=88), [close by](?distance=0.5&width=2): close by the short cut is wrong by
+[Twice as far](?distance=3.2), [edge on](?tilt=88), [close by](?distance=0.5&width=2): close by the short cut is wrong by
 half and more, and nothing warns you.
 """,
     scene=Scene(
@@ -247,7 +247,8 @@ half and more, and nothing warns you.
             Handle("its normal", 1, ("tilt",)),
             Handle("its distance", 2, ("distance",)),
         ),
-        camera=Camera(azimuth=-62, elevation=20, distance=7.6, target=(0.5, 0.2, 0.3)),
+        legend=(("l", "the patch A, and the points that meet it"), ("estimate", "its shadow A′ on the unit sphere")),
+        camera=Camera(azimuth=-62, elevation=20, distance=8.8, target=(0.9, 0.3, 0.55)),
     ),
     plot=Curves(
         title="Solid angle against distance",
@@ -279,10 +280,10 @@ prediction before; a quarter is the common answer, and tempting because it is ri
 "close by" and read the error aloud. The counted number jumps as points fall in and out: that is what sampling means, and
 its error falls only as the points grow. Edge on, the shadow closes: β = 90° has no area whatever r is. 6 minutes.
 """,
-    sources=("Deck, slide Solid Angles", "optics reference 2.2: rectangle off its axis",
+    sources=("Deck, slide Solid Angles", "van Oosterom & Strackee 1983: triangles of the square",
              "Swinbank and Purser 2006: Fibonacci grid"),
     honesty="Exact: closed form. dA cos β / r² is the first order in w/r. Counted: the share of N evenly spread directions.",
-    values=(Value("theta", 55.0, more=True), Value("phi", 20.0, more=True), Value("distance", 2.0), Value("tilt", 25.0),
+    values=(Value("theta", 55.0, more=True), Value("phi", 20.0, more=True), Value("distance", 1.6), Value("tilt", 25.0),
             Value("width", 1.2), Value("samples", 2048, more=True)),
     minutes=6,
 )
@@ -409,7 +410,7 @@ its size. Then the Moon: as large as the Sun, or there would be no eclipses. Clo
 the right half of the lens: it first trembles, then jumps, then is gone. Ask why the plot of the printed form has steps:
 near 1 the float32 numbers are 6e-8 apart. The remedy is algebra, not more digits. 6 minutes.
 """,
-    sources=("Deck, slide Solid Angles", "optics reference 2.2", "Sun 0.2666°, Moon 0.2591°: mean angular radii, IAU 2015 "
+    sources=("Deck, slide Solid Angles", "Kahan 2006: 1 - cos θ = 2 sin²(θ/2) against cancellation", "Sun 0.2666°, Moon 0.2591°: mean angular radii, IAU 2015 "
              "nominal solar radius and mean distances"),
     honesty="Exact to rounding. The lens enlarges; its two areas are in the true proportion of the two float32 results.",
     values=(Value("half_angle", 35.0, low=1e-4, high=180.0, scale="log"),),
@@ -516,7 +517,7 @@ answer, because the table of θ and φ looks like squared paper. Write sin θ d�
 the pole. The sum with four rows is 2.6 % too large: ask which way it errs, and why (the midpoint of a sine's arch lies
 above its mean). 5 minutes.
 """,
-    sources=("Deck, slide Basic Concepts", "optics reference 2.2"),
+    sources=("Deck, slide Basic Concepts", "Abramowitz & Stegun 1964, 25.4.2: the midpoint rule and its error"),
     honesty="The cell is exact: 2 sin θ sin(dθ/2) dφ. The sum is the midpoint rule on purpose, so that it has an error to see.",
     values=(Value("theta", 55.0, low=0.0, high=180.0), Value("phi", -15.0, more=True), Value("rows", 18)),
     minutes=5,
@@ -576,7 +577,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(at(vec2(0.5)), 1.0);
     if (i == 1) return vec4(on_dome(vec2(0.5)) * 1.05, 1.0);
-    return vec4(on_dome(vec2(0.5)).xy, 0.02, 1.0);
+    return vec4(1.25 * on_dome(vec2(0.5)).xy + 0.25 * normalize(on_dome(vec2(0.5)).xy + vec2(1e-6)), 0.02, 1.0);
 }
 """
 
@@ -614,6 +615,7 @@ Bring the patch [overhead](?theta=0), [half way down](?theta=60), [to the horizo
             Mark("rim", colour="quiet", segments=96),
         ),
         labels=(Label("ω", 1, "estimate"), Label("Ω⊥", 2, "v")),
+        legend=(("l", "the patch"), ("estimate", "its shadow ω on the dome"), ("v", "and Ω⊥ on the base disk")),
         handles=(Handle("the patch", 0, ("theta", "phi")),),
         camera=Camera(azimuth=-58, elevation=24, distance=7.2, target=(0.3, 0.25, 0.55)),
     ),
@@ -648,7 +650,7 @@ Nusselt: no formula is needed to see that a shadow near the rim falls on a slive
 2π; the disk says π. This is the π under every Lambert surface, chapter 4 comes back to it. 5 minutes.
 """,
     sources=("Deck, slide Basic Concepts (the differential solid angle)", "Nusselt 1928: graphic form factor",
-             "Lambert 1760: polygon contour", "optics reference 2.3"),
+             "Lambert 1760: polygon contour"),
     honesty="Exact: the contour of the polygon, cut at the horizon. The estimate is first order in w/r.",
     values=(Value("theta", 40.0, low=0.0, high=90.0), Value("phi", 25.0, more=True), Value("distance", 2.0),
             Value("tilt", 0.0, more=True), Value("width", 1.2)),
@@ -703,7 +705,7 @@ vec2 middle() {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return vec3(3.6 * s.x - 1.8, 2.6 * s.y - 1.3, 0.0);
+    if (surface != 1) return vec3(1.8 * (surface == 0 ? s.x - 1.0 : s.x), 2.6 * s.y - 1.3, 0.0);
     float at = s.x * float(corner_count);
     vec3 rim = mix(shown(int(at)), shown(int(at) + 1), fract(at));
     return vec3(mix(middle(), rim.xy, s.y), HEIGHT);
@@ -713,7 +715,7 @@ vec3 shade(Surface s) {
     if (s.id == 1) return soft_light(palette[COLOUR_L], s.normal, s.v);
     float left = -abs(s.position.x);
     float most = solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, 0.0, 0.0);
-    float seen = s.position.x < 0.0
+    float seen = s.id == 0
         ? solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y)
         : solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y);
     return colormap(seen / max(most, 1e-30));
@@ -734,7 +736,8 @@ vec4 probe(int i) {
     return vec4(i == 5 ? -0.95 : 0.95, -1.45, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 1)), Surface("outline", cells=(120, 1), opacity=0.55)),
+        surfaces=(Surface("floor, with edges", cells=(1, 1)), Surface("outline", cells=(120, 1), opacity=0.55),
+                  Surface("floor, as printed", cells=(1, 1))),
         marks=(
             Mark("divide", colour="exact", width=0.8),
             *(Mark(f"edge {i}", colour="l", width=1.2) for i in "abcde"),
@@ -781,7 +784,7 @@ subtracted to give 1e-6, and float32 keeps 7 digits. The remedy is to subtract f
 edges, then products. Make a needle by dragging two corners together. Why it matters: a lamp at ten metres, tessellated
 finely, is a thousand such triangles. 7 minutes.
 """,
-    sources=("van Oosterom & Strackee 1983, eq. 8", "Deck, slide Solid Angles", "optics reference 2.2, table"),
+    sources=("van Oosterom & Strackee 1983, eq. 8", "Deck, slide Solid Angles", "Goldberg 1991: cancellation in float32"),
     honesty="Exact to rounding, for flat outlines without self-crossings. The floor's colours are relative to its centre.",
     values=(
         Value("size", 0.6, low=1e-5, high=1.0), Value("distance", 1.0, low=0.5, high=4.0),

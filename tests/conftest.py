@@ -7,9 +7,9 @@ import pytest
 from app.gpu.context import context
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture
 def ctx():
-    """The process's own OpenGL context without a window."""
+    """The process's own OpenGL context without a window: one for the session, but for what a test window closed."""
     return context()
 
 

@@ -37,7 +37,8 @@ def test_an_exercise_is_whole(name):
 
 ONE_ARGUMENT = "float one_argument(float y, float x) { return atan(y / x); }\n"
 MUTANTS = {  # a mistake: what it replaces and by what, in each language
-    "the factor 2 is missing": {"python": ("return 2 * np", "return np"), "glsl": ("return 2.0 * arctan2", "return arctan2")},
+    "the factor 2 is missing": {"python": ("return 2 * np", "return np"),
+                                "glsl": ("return 2.0 * arctan2", "return arctan2")},
     "atan of one argument": {"python": ("np.arctan2(volume, below)", "np.arctan(volume / below)"),
                              "glsl": ("arctan2(volume, ", "one_argument(volume, ")},
     "degrees": {"python": ("return 2 * np.arctan2(volume, below)", "return np.degrees(2 * np.arctan2(volume, below))"),

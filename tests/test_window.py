@@ -121,6 +121,11 @@ def test_the_picture_turns_zooms_and_is_read():
         assert window.session.view.distance < view.distance
         engine.mouse_double_click(0)
         assert window.session.view == view
+        engine.key_press(imgui.Key.mod_shift | imgui.Key.right_arrow, 2)
+        engine.key_press(imgui.Key.mod_shift | imgui.Key.minus)
+        assert window.session.view.azimuth == view.azimuth + 10 and window.session.view.distance > view.distance
+        engine.key_press(imgui.Key.mod_ctrl | imgui.Key.z, 3)
+        assert window.session.view == view
         frames(engine)
         inside = 0.4 * window.scene.points["handle the patch"] + 0.6 * window.scene.points["label A"]
         engine.mouse_teleport_to_pos(place(window, inside))

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app import locale_alias
+from app.gpu.context import context
 from app.paths import LESSONS
 from app.viewer import glfw
 from app.viewer.window import Window, parameters
@@ -22,7 +23,11 @@ def drive(
     params.callbacks.show_gui = lambda: (window.gui(), jobs_of(window))
     window.jobs = []
     glfw.without_display()
-    testing.run(test_function=lambda engine: test(engine, window), runner_params=params, add_ons_params=add_ons)
+    glfw.without_depth()
+    try:
+        testing.run(test_function=lambda engine: test(engine, window), runner_params=params, add_ons_params=add_ons)
+    finally:
+        context.cache_clear()  # the null platform has closed the display it shares with the surfaceless context
     return window
 
 

@@ -2,35 +2,18 @@
 
 from dataclasses import dataclass
 from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
+from app.fonts import font_files
 from app.lesson import Mark
 from app.readouts import raised
 from app.theme import Theme, colour
 
-FONTS = (  # package, folder, (upright, bold): DejaVu has every sign the course writes
-    ("matplotlib", "mpl-data/fonts/ttf", ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf")),
-    ("imgui_bundle", "assets/fonts/Roboto", ("Roboto-Regular.ttf", "Roboto-Bold.ttf")),
-)
 PATTERNS = {"solid": ((0.0, 1.0),), "dashed": ((0.0, 0.4), (0.6, 1.0)), "dotted": tuple((x, x + 0.1) for x in
             (0.0, 0.225, 0.45, 0.675, 0.9)), "dashdot": ((0.0, 0.4), (0.52, 0.62), (0.74, 1.0))}
 LEAST = 20  # px of text at 1280x720: a still is seen from farther away than a window
 FINE = 4  # samples are drawn this much larger and reduced
-
-
-@cache
-def font_files() -> tuple[Path, Path] | None:
-    """The upright and the bold font, found without importing the packages they come with."""
-    for package, folder, names in FONTS:
-        spec = find_spec(package)
-        for base in (spec.submodule_search_locations or []) if spec else []:
-            upright, bold = (Path(base) / folder / name for name in names)
-            if upright.is_file() and bold.is_file():
-                return upright, bold
-    return None
 
 
 @cache

@@ -150,7 +150,7 @@ def png(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
     about.add_text("Software", f"Halfway {version()}")
     about.add_text("halfway:state", state)
     out = BytesIO()
-    picture.save(out, "PNG", pnginfo=about, compress_level=3)
+    picture.save(out, "PNG", pnginfo=about, compress_level=1)
     return out.getvalue()
 
 

@@ -1,12 +1,13 @@
-"""Our own OpenGL context without a window: one per process, surfaceless EGL where it exists.
+"""Our own OpenGL context without a window: one per process, on an EGL display that nobody else closes.
 
-VTK and pyrender terminate the EGL display they share with moderngl's own backend; the surfaceless platform is a display
-that nobody else closes. `with context():` makes it current again after somebody else took the thread.
+VTK terminates the display of the first EGL device, pyrender the default one, which moderngl's own backend shares; the
+surfaceless one is taken (else the first device's, else moderngl's own). `with context():` makes it current again after
+somebody else took the thread. Only GLFW's null platform closes the surfaceless display; the window has its own context,
+and tests that open windows ask for a new one afterwards.
 """
 
 import ctypes
 import sys
-from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -15,17 +16,17 @@ import moderngl
 from app import shader
 from app.problem import Problem
 
-SURFACELESS, OPENGL_API, NONE = 0x31DD, 0x30A2, 0x3038
+DEVICE, SURFACELESS, OPENGL_API, NONE = 0x313F, 0x31DD, 0x30A2, 0x3038
 SURFACE_TYPE, PBUFFER_BIT, RENDERABLE_TYPE, OPENGL_BIT = 0x3033, 0x0001, 0x3040, 0x0008
 MAJOR, MINOR, PROFILE_MASK, CORE_PROFILE_BIT = 0x3098, 0x30FB, 0x30FD, 0x0001
 DRAW, READ = 0x3059, 0x305A
 Pointer = ctypes.c_void_p
 
 
-class SurfacelessContext:
-    """What moderngl.create_context(context=...) asks for, over EGL_MESA_platform_surfaceless."""
+class EglContext:
+    """What moderngl.create_context(context=...) asks for: EGL without a surface, on the display of a platform."""
 
-    def __init__(self) -> None:
+    def __init__(self, platform: int) -> None:
         self.egl = egl = ctypes.CDLL("libEGL.so.1")
         for name in ("CurrentContext", "CurrentDisplay", "CurrentSurface", "ProcAddress"):
             getattr(egl, f"eglGet{name}").restype = Pointer
@@ -33,7 +34,8 @@ class SurfacelessContext:
         egl.eglGetProcAddress.argtypes = [ctypes.c_char_p]
         entry = self.must(egl.eglGetProcAddress(b"eglGetPlatformDisplayEXT"), "eglGetPlatformDisplayEXT")
         platform_display = ctypes.CFUNCTYPE(Pointer, ctypes.c_uint, Pointer, Pointer)(entry)
-        self.display = Pointer(self.must(platform_display(SURFACELESS, None, None), "the surfaceless display"))
+        device = self.first_device() if platform == DEVICE else None
+        self.display = Pointer(self.must(platform_display(platform, device, None), "eglGetPlatformDisplayEXT"))
         self.must(egl.eglInitialize(self.display, None, None), "eglInitialize")
         self.must(egl.eglBindAPI(OPENGL_API), "eglBindAPI")
         config, count = Pointer(), ctypes.c_int()
@@ -44,6 +46,13 @@ class SurfacelessContext:
         self.context = Pointer(self.must(egl.eglCreateContext(self.display, config, None, version), "eglCreateContext"))
         self.outer: list[tuple] = []
         self.make_current()
+
+    def first_device(self) -> int:
+        entry = self.must(self.egl.eglGetProcAddress(b"eglQueryDevicesEXT"), "eglQueryDevicesEXT")
+        kind = ctypes.CFUNCTYPE(ctypes.c_uint, ctypes.c_int, ctypes.POINTER(Pointer), ctypes.POINTER(ctypes.c_int))
+        devices, count = (Pointer * 1)(), ctypes.c_int()
+        self.must(kind(entry)(1, devices, ctypes.byref(count)) and count.value, "eglQueryDevicesEXT")
+        return int(devices[0] or 0)
 
     @staticmethod
     def ints(*values: int):
@@ -84,11 +93,9 @@ def context() -> moderngl.Context:
     """The process's own context for rendering without a window."""
     tried = []
     if sys.platform.startswith("linux"):
-        ways: list[Callable[[], Any]] = [SurfacelessContext, lambda: None]  # None: EGL's default display
-        for way in ways:
+        for platform in (SURFACELESS, DEVICE, None):  # None: EGL's default display
             try:
-                own = way()
-                given: Any = {"context": own} if own else {"standalone": True, "backend": "egl"}
+                given: Any = {"context": EglContext(platform)} if platform else {"standalone": True, "backend": "egl"}
                 return moderngl.create_context(require=330, **given)
             except Exception as error:  # whatever a driver raises, the next way may work
                 tried.append(str(error))

@@ -65,8 +65,10 @@ def look(theme: Theme) -> dict:
 
 
 class Stage:
-    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
-        self.ctx, self.source, self.scene = ctx, source, source.scene
+    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None,
+                 counts_fine: bool = True):
+        """`counts_fine`: fine pictures count faults too; a window, which draws a coarse one first, saves the memory."""
+        self.ctx, self.source, self.scene, self.counts_fine = ctx, source, source.scene, counts_fine
         self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
         self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
@@ -124,11 +126,12 @@ class Stage:
             self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
-            self.faults_only[target].clear()
+            if target in self.faults_only:
+                self.faults_only[target].clear()
             target.use()  # last: clearing a framebuffer without depth leaves the depth mask off
             self.paint(values, target)
             if target is not self.shown:
-                self.ctx.copy_framebuffer(self.shown, target)
+                self.ctx.copy_framebuffer(self.shown if self.counts_fine else self.picture_only, target)
             before.use()
             return self.textures[0]
 
@@ -143,17 +146,22 @@ class Stage:
         self.size = size
         self.textures = [self.ctx.texture(size, 4), self.ctx.texture(size, 4)]
         self.shown = self.target(self.textures, self.ctx.depth_renderbuffer(size))
+        self.picture_only = self.ctx.framebuffer(self.textures[:1])
+        self.target_parts.append(self.picture_only)
 
     def target(self, colours: list, depth: moderngl.Renderbuffer) -> moderngl.Framebuffer:
         """A framebuffer for picture and faults; the faults also alone, because they are cleared to nothing."""
         whole = self.ctx.framebuffer(colours, depth)
-        self.faults_only[whole] = self.ctx.framebuffer(colours[1:])
+        if len(colours) > 1:
+            self.faults_only[whole] = self.ctx.framebuffer(colours[1:])
+        else:
+            self.target_parts.append(whole)
         self.target_parts += [*colours, depth]
         return whole
 
     def fine_target(self) -> moderngl.Framebuffer:
         if self.fine is None:
-            colours = [self.ctx.renderbuffer(self.size, 4, samples=SAMPLES) for _ in range(2)]
+            colours = [self.ctx.renderbuffer(self.size, 4, samples=SAMPLES) for _ in range(1 + self.counts_fine)]
             self.fine = self.target(colours, self.ctx.depth_renderbuffer(self.size, samples=SAMPLES))
         return self.fine
 

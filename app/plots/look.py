@@ -1,12 +1,10 @@
 """The sizes, colours and font of a plot: a theme at a picture's size."""
 
 from dataclasses import dataclass
-from functools import cached_property
-from importlib.util import find_spec
-from pathlib import Path
 
 import numpy as np
 
+from app.fonts import font_files
 from app.theme import Theme, colour, rgb
 
 REFERENCE = 420  # px of a plot's shorter side in a window of 1280x720, for which a theme's sizes are meant
@@ -62,18 +60,11 @@ class Look:
     def mixed(a: Rgb, b: Rgb, share: float) -> Rgb:
         return tuple(x + (y - x) * share for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
 
-    @cached_property
+    @property
     def font(self) -> str:
-        """DejaVu Sans: the Greek letters, powers and indices that VTK's own fonts and the window's lack.
-
-        It comes with matplotlib, which pyvista brings along; the file is found without importing either.
-        """
-        spec = find_spec("matplotlib")
-        for folder in (spec.submodule_search_locations or []) if spec else []:
-            path = Path(folder) / "mpl-data/fonts/ttf/DejaVuSans.ttf"
-            if path.is_file():
-                return str(path)
-        return ""
+        """The file of the one font of pictures and plots; "" leaves VTK its own."""
+        files = font_files()
+        return str(files[0]) if files else ""
 
     def long(self, text: str) -> float:
         """px that a tick's label takes."""

@@ -4,22 +4,25 @@ import argparse
 
 
 def run(options: argparse.Namespace) -> int:
-    """Open the window at a state, or at the first picture; without a display on GLFW's null platform if asked."""
+    """Open the window at a state, or at the first picture; without a display on GLFW's null platform."""
     from imgui_bundle import immapp
 
     from app import locale_alias
     from app.viewer import glfw
     from app.viewer.window import Window, parameters
 
-    locale_alias.ensure()
+    formulas = locale_alias.ensure()
     window = Window(
         getattr(options, "state", "") or "",
         getattr(options, "mesh", None),
         getattr(options, "theme", "") or "",
         getattr(options, "size", None) or (1280, 720),
     )
+    if formulas == "missing":
+        window.message = "Formulas cannot be typeset here: run `halfway doctor`, it prints the command that mends it."
     params, add_ons = parameters(window)
     if not glfw.has_display():
         glfw.without_display()
+    glfw.without_depth()
     immapp.run(params, add_ons)
     return 0

@@ -16,6 +16,7 @@ import moderngl
 from app.problem import Problem
 
 PLATFORM, PLATFORM_NULL = 0x00050003, 0x00060005
+DEPTH_BITS, STENCIL_BITS = 0x00021005, 0x00021006
 CONTEXT_CREATION_API, EGL_CONTEXT_API = 0x0002200B, 0x00036002
 Pointer = ctypes.c_void_p
 DropCallback = ctypes.CFUNCTYPE(None, Pointer, ctypes.c_int, ctypes.POINTER(ctypes.c_char_p))
@@ -34,10 +35,10 @@ def library() -> ctypes.CDLL:
 
 
 def has_display() -> bool:
-    """Whether a window can open here."""
-    if not sys.platform.startswith("linux"):
-        return True
-    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    """Whether a window can open here: GLFW starts on the display there is (this GLFW speaks X11, no Wayland)."""
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        return False
+    return bool(library().glfwInit())
 
 
 def without_display() -> None:
@@ -49,9 +50,10 @@ def without_display() -> None:
     lib.glfwWindowHint(CONTEXT_CREATION_API, EGL_CONTEXT_API)
 
 
-def opens() -> bool:
-    """Whether GLFW starts on the display of this machine at all."""
-    return bool(library().glfwInit())
+def without_depth() -> None:
+    """The interface needs no depth and no stencil buffer; scenes have their own."""
+    library().glfwWindowHint(DEPTH_BITS, 0)
+    library().glfwWindowHint(STENCIL_BITS, 0)
 
 
 class WindowContext:

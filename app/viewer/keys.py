@@ -2,7 +2,16 @@
 
 from imgui_bundle import imgui
 
+from app.state import FARTHEST, NEAREST, View
+
 LETTERS = {imgui.Key.o: "o", imgui.Key.n: "n", imgui.Key.r: "r", imgui.Key.c: "c", imgui.Key.t: "t", imgui.Key.f: "f"}
+
+ARROWS = (  # key, degrees around, degrees up, times the distance
+    (imgui.Key.left_arrow, -5.0, 0.0, 1.0), (imgui.Key.right_arrow, 5.0, 0.0, 1.0),
+    (imgui.Key.up_arrow, 0.0, 5.0, 1.0), (imgui.Key.down_arrow, 0.0, -5.0, 1.0),
+    (imgui.Key.equal, 0.0, 0.0, 0.9), (imgui.Key.keypad_add, 0.0, 0.0, 0.9),
+    (imgui.Key.minus, 0.0, 0.0, 1 / 0.9), (imgui.Key.keypad_subtract, 0.0, 0.0, 1 / 0.9),
+)
 
 
 def press(window) -> None:
@@ -26,7 +35,21 @@ def with_control(window, shift: bool) -> None:
         window.do("o")
 
 
+def turned(window) -> bool:
+    """Shift and the arrows turn the picture, Shift and + or - zoom."""
+    view = window.session.view
+    for key, turn, lift, zoom in ARROWS:
+        if imgui.is_key_pressed(key):
+            lifted = min(max(view.elevation + lift, -89.0), 89.0)
+            away = min(max(view.distance * zoom, 2 * NEAREST), FARTHEST)
+            window.session.look(View((view.azimuth + turn + 180) % 360 - 180, lifted, away))
+            return True
+    return False
+
+
 def alone(window, shift: bool) -> None:
+    if shift and turned(window):
+        return
     if imgui.is_key_pressed(imgui.Key.page_down):
         window.move(1)
     elif imgui.is_key_pressed(imgui.Key.page_up):

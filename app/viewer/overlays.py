@@ -17,6 +17,7 @@ KEYS = (
     ("C", "copy the state of this step"),
     ("F", "freeze the picture for a guess"),
     ("Tab, arrows, Space", "from control to control, change, press"),
+    ("Shift and arrows, + or -", "turn the picture, zoom"),
     ("mouse in the picture", "drag a ring: the thing; elsewhere: turn; wheel: zoom; click: read the values"),
     ("?", "these keys"),
 )

@@ -55,7 +55,7 @@ class ScenePanel:
         rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
         if changed or rest:
             # while something moves one sample a pixel; soft edges as soon as it rests
-            self.is_fine = rest or self.drawn is None
+            self.is_fine = rest
             self.stage.draw(values, camera, size, theme, fine=self.is_fine)
             self.frames_drawn += 1
             if changed:
@@ -114,6 +114,9 @@ class ScenePanel:
         self.legend(corner, room, theme)
         if self.faults:
             self.fault_notice(corner, room, theme)
+        else:
+            at = ImVec2(corner.x + 0.7 * imgui.get_font_size(), corner.y + room.y - 1.6 * imgui.get_font_size())
+            imgui.get_window_draw_list().add_text(at, style.u32(rgb(theme.quiet), 0.7), "0 faulty pixels")
 
     def word(
         self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4
@@ -123,7 +126,7 @@ class ScenePanel:
         away = np.array(
             [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
         )  # outwards, off the lines it names
-        away = away / max(float(np.hypot(*away)), 1e-6)
+        away = away / np.hypot(*away) if np.hypot(*away) > gap else np.array([0.0, -1.0])
         x = at.x + away[0] * (gap + size.x / 2) - size.x / 2
         y = at.y + away[1] * (gap + size.y / 2) - size.y / 2
         x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)

@@ -4,6 +4,7 @@ It draws a `Session` and calls it; what can be computed without a window is comp
 """
 
 import os
+import time
 import webbrowser
 from pathlib import Path
 
@@ -33,6 +34,7 @@ FIXED = (
     | imgui.WindowFlags_.no_bring_to_front_on_focus
 )
 THEME_ORDER = tuple(THEMES)
+SAVE_EVERY = 5.0  # seconds
 
 
 class Window:
@@ -61,6 +63,7 @@ class Window:
         self.fault = ""  # why this step has no picture
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
+        self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         if mesh:
             self.take_mesh(mesh)
@@ -68,6 +71,7 @@ class Window:
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         self.drop_callback = glfw.on_drop(self.dropped.extend)
         imgui.get_io().config_flags |= imgui.ConfigFlags_.nav_enable_keyboard
 
@@ -78,6 +82,11 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+
+    def after_swap(self) -> None:
+        """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
+        if self.is_software:
+            self.ctx.finish()
 
     def gui(self) -> None:
         size = imgui.get_main_viewport().size
@@ -102,6 +111,9 @@ class Window:
     def pace(self) -> None:
         """Full speed while something moves, else one look a second: an idle window costs next to nothing. A plot that
         comes wakes it."""
+        if self.session.revision != self.saved and time.monotonic() - self.saved_at > SAVE_EVERY:
+            self.saved, self.saved_at = self.session.revision, time.monotonic()
+            self.session.save()  # a crash loses seconds, not a lesson
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
@@ -297,9 +309,8 @@ class Window:
                 self.scene.stage.place(self.triangles)
                 self.scene.drawn = None
             else:
-                self.scene.show(
-                    Stage(self.ctx, Source(found.step.scene, found.file_name, found.glsl_line), self.triangles)
-                )
+                source = Source(found.step.scene, found.file_name, found.glsl_line)
+                self.scene.show(Stage(self.ctx, source, self.triangles, counts_fine=False))
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()
@@ -328,7 +339,7 @@ def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsP
     params.fps_idling.time_active_after_last_event = 0.7
     params.callbacks.load_additional_fonts = style.load_font
     params.callbacks.post_init, params.callbacks.before_exit = window.post_init, window.before_exit
-    params.callbacks.show_gui = window.gui
+    params.callbacks.show_gui, params.callbacks.after_swap = window.gui, window.after_swap
     markdown = rich_md.MarkdownOptions()
     markdown.with_latex, markdown.autolinks = True, False
     markdown.callbacks.on_open_link = window.open_link

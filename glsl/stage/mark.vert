@@ -37,6 +37,8 @@ void main() {
     if (stage_corner.z > 0.5) {
         pen = vec2(stage_corner.x * 2.0 - 1.0, stage_corner.y) * tip_size;
         place = here.xy + along * pen.x + across * pen.y;
+        float nearer = tip_size / (1.5 * viewport.y); // by about its own size, so that what it stands on does not cut it
+        here.z = 1.0 - (1.0 - here.z) / (1.0 - nearer);
     }
     v_pen = vec3(pen, stage_corner.z);
     gl_Position = vec4(2.0 * place / viewport, here.z, 1.0);

@@ -1,0 +1,57 @@
+"""Twins over many points, and the digits that float32 keeps of a small triangle."""
+
+import numpy as np
+
+from app import optics
+from app.gpu.evaluate import evaluate
+from tests.bench.rows import Row, in_turn, timed
+
+MILLION = 10**6
+
+
+def points(rounds: int = 9) -> list[Row]:
+    """A million numbers to the GPU and back; adding two numpy arrays of that length is the reference."""
+    rng = np.random.default_rng(1)
+    x, corners = rng.uniform(0.1, 1.0, MILLION), rng.normal(size=(3, MILLION, 3))
+    found = in_turn({
+        "numpy: x + x": timed(lambda: x + x),
+        "solid_angle_cone, 10^6 points": timed(lambda: evaluate("solid_angle_cone", {"half_angle": x})),
+        "solid_angle_patch, 10^6 points": timed(
+            lambda: evaluate("solid_angle_patch", {"distance": x, "tilt": 0.3, "width": x})),
+        "solid_angle_triangle, 10^6 points": timed(
+            lambda: evaluate("solid_angle_triangle", dict(zip("abc", corners, strict=True)))),
+    }, rounds)
+    for row in found[1:3]:
+        row.asked = 120.0
+    return found
+
+
+def digits() -> list[Row]:
+    """The worst relative error of a float32 triangle of the sizes 1 to 1e-5 at distance 1, of the truth."""
+    rng, count = np.random.default_rng(2), 20000
+    names = {"with edges": "solid_angle_triangle_edges", "corners, subtracted": "solid_angle_triangle",
+             "as printed": "solid_angle_triangle_naive"}
+    worst: dict[str, list[float]] = {name: [] for name in names}
+    for size in 10.0 ** np.arange(0, -5.5, -0.5):
+        a, ab, ac = (f32(v) for v in triangles(rng, count, size))
+        b, c = f32(a + ab), f32(a + ac)
+        for name, function in names.items():
+            args = {"a": a, "ab": ab, "ac": ac} if name == "with edges" else {"a": a, "b": b, "c": c}
+            exact = optics.twin(function.removesuffix("_naive"))(**args)
+            worst[name].append(float(np.max(np.abs(evaluate(function, args) / exact - 1))))
+    return [Row(f"float32 triangle, {name}", "", [max(errors)], None if "printed" in name else 1e-6)
+            for name, errors in worst.items()]
+
+
+def triangles(rng: np.random.Generator, count: int, size: float):
+    """Corner and edges of well shaped triangles, their middle at distance 1, turned anyhow."""
+    away = rng.normal(size=(count, 3))
+    away /= np.linalg.norm(away, axis=-1, keepdims=True)
+    side = np.cross(away, rng.normal(size=(count, 3)))
+    side /= np.linalg.norm(side, axis=-1, keepdims=True)
+    up = np.cross(away, side) * rng.uniform(0.5, 1.0, (count, 1)) + away * rng.uniform(-0.5, 0.5, (count, 1))
+    return away, size * side, size * (0.5 * side + up)
+
+
+def f32(x: np.ndarray) -> np.ndarray:
+    return x.astype(np.float32).astype(float)

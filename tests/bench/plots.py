@@ -1,0 +1,36 @@
+"""From a slider's move to the plot's picture, through the process that draws it."""
+
+from app import catalog
+from app.export.still import data
+from app.plots.process import PlotProcess
+from app.state import defaults
+from app.theme import THEMES
+from tests.bench.rows import Row, in_turn, timed
+
+SIZE = (420, 420)
+
+
+def plots(rounds: int = 12) -> list[Row]:
+    """The first step's plot is the reference."""
+    with PlotProcess(SIZE, THEMES["dark"]) as process:
+        def move(step) -> None:
+            values = defaults(step)
+            move.count += 1
+            share = 0.3 + 0.4 * (move.count % 97) / 97
+            if "eye" in values:
+                values["eye"] = (share, 0.0, 0.0)
+            else:
+                name = next(name for name, value in values.items() if isinstance(value, float))
+                spec = step.values[name]
+                values[name] = spec.low + (spec.high - spec.low) * share
+            process.request(step.step.plot, values, triangles=data(step, values).get("triangles"), fine=False)
+            process.wait(30.0)
+
+        move.count = 0
+
+        def once(step) -> float:
+            move(step)  # to this step's plot; what is measured is the next move
+            return timed(lambda: move(step))()
+
+        jobs = {f"plot of {step.id} after a move": lambda step=step: once(step) for step in catalog.steps()}
+        return in_turn(jobs, rounds, asked=dict.fromkeys(jobs, 60.0))
