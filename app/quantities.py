@@ -110,6 +110,8 @@ TABLE: dict[str, Quantity] = {
     "edge": Quantity("f_L", "", 0, 2, 0, "how the spotlight dims between its cones", kind="int"),
     "pattern": Quantity("p", "", 0, 1, 0, "whether every pixel has samples of its own", kind="int"),
     "map": Quantity("E", "", 0, 1, 0, "what the floor shows", kind="int"),
+    "normal_length": Quantity(r"|\bar n|", "", 0.0, 1.0, 0.95, "length of the mean of many normals"),
+    "kappa": Quantity(r"\kappa", "", 0.1, 1000.0, 10.0, "concentration of directions", (1e-6, 1e8), "log"),
     "strip": Quantity("a", "sr", -3.0, 3.0, 0.4, "solid angle of a part of a rectangle"),
     "sampling": Quantity("k", "", 0, 5, 0, "how the samples are placed", kind="int"),
     "way": Quantity("r", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "from the shaded point to the light", kind="vec3"),

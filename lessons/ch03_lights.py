@@ -381,12 +381,15 @@ what arrives.
 [Constant](?distribution=0): $1/4\pi$ everywhere. [Cosine](?distribution=1), a flat lamp: $\cos\theta/\pi$. A
 [reflector](?distribution=2&exponent=6): $\frac{n+1}{2\pi}\cos^n\theta$. The constants are the integrals, so the flux stays
 while you turn the exponent: the solid grows longer as it grows thinner. Its volume is not the flux.
+
+[No flux](?radiant_flux=0), no light. [Negative](?radiant_flux=-30) flux takes light away: red dots, never hidden.
 """,
     scene=Scene(
         glsl="""
 #include "optics/distribution.glsl"
 #include "optics/punctual.glsl"
 #include "core/angle.glsl"
+#include "display/faults.glsl"
 #include "display/look.glsl"
 #include "display/scale.glsl"
 uniform int distribution;
@@ -411,7 +414,8 @@ vec3 shade(Surface s) {
     vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0), way = lamp() - s.position;
     float theta = arctan2(length(way.xy), way.z);
     float intensity = radiant_intensity_of(radiant_flux, distribution, exponent, theta);
-    return decades(irradiance_at(s.position, n, lamp(), intensity, 1e-3), -1.0, 2.0);
+    float found = irradiance_at(s.position, n, lamp(), intensity, 1e-3);
+    return found < 0.0 ? fault_colour(vec3(0.0, 0.0, 1.0), gl_FragCoord.xy) : decades(found, -1.0, 2.0);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -463,7 +467,7 @@ less flux. Ask why cos^n on a floor falls as cos^(n+3). Measured lamps are next.
     sources=("Deck, slides Lighting Distribution (1) to (3)", "Normalisation: integrals in closed form"),
     honesty="Exact; ideal lobes, no real lamp. In the room the solid is drawn at 1.1 m for 1/sr. Far field: a point.",
     values=(Value("distribution", 2, choices=("constant", "cosine", "cosⁿ")), Value("exponent", 3.0, low=1.0, high=6.0),
-            Value("radiant_flux", 60.0), Value("light_height", 1.7, low=0.5, high=2.2)),
+            Value("radiant_flux", 60.0, low=-50.0, high=200.0, scale="linear"), Value("light_height", 1.7, low=0.5, high=2.2)),
     minutes=5,
 )
 
@@ -709,7 +713,7 @@ vec4 probe(int i) {
                   Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
         marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
-        dots=Dots(1024, size=0.9),
+        dots=Dots(256, size=0.9),
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
@@ -754,7 +758,7 @@ the slide's "to avoid patterns". Forget the emitter's cosine: 26 becomes 37 W/m�
     sources=("Deck, slides Area Lights, Light Contribution of Area Lights (1) and (2)", "Cook, Porter, Carpenter 1984",
              "Kollig and Keller 2002: (0,2)-sequence", "Jarzynski and Olano 2020: pcg hash", "optics reference 5 and D15"),
     honesty="The estimate converges to the exact value; no shadows. Error colours grow with the root of the error, full at 50 %.",
-    values=(Value("sampling", 2, low=0, high=3, choices=("grid", "random", "stratified", "Sobol")), Value("level", 1),
+    values=(Value("sampling", 2, low=0, high=3, choices=("grid", "random", "stratified", "Sobol")), Value("level", 1, high=4),
             Value("pattern", 0, choices=("new at every pixel", "the same everywhere")),
             Value("panel_tilt", -58.0), Value("light_height", 0.75, low=0.1, high=2.0, more=True),
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
@@ -952,7 +956,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
         marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
-        dots=Dots(1024, size=0.9),
+        dots=Dots(256, size=0.9),
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),
@@ -1002,7 +1006,7 @@ shadow, a mirror; Gauss needs smoothness, Sobol and stratified do not mind. Far 
     honesty="Errors are against the closed form, in float32 on the floor (about 1e-6). Thin or far panels are sampled by area.",
     values=(Value("sampling", 2, choices=("grid", "random", "stratified", "Sobol", "Sobol, solid angle",
                                           "Gauss, solid angle")),
-            Value("level", 2), Value("panel_tilt", -58.0), Value("light_height", 0.6, low=0.1, high=2.0),
+            Value("level", 2, high=4), Value("panel_tilt", -58.0), Value("light_height", 0.6, low=0.1, high=2.0),
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
             Value("panel_width", 1.8, low=0.3, more=True), Value("panel_depth", 0.9, low=0.3, high=2.0, more=True),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True),

@@ -7,8 +7,10 @@ import pytest
 from scipy.integrate import dblquad, quad
 
 from app import catalog
+from app.grade.checks import run
 from app.inspection import inspect
 from app.optics import area_light, distribution, light_samples, panel_samples, punctual, spherical_rectangle, spot
+from app.optics import filter as filters
 from app.optics.solid_angle import solid_angle_rectangle_off_axis
 
 PANEL = {"radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4, "panel_depth": 0.9,
@@ -235,6 +237,46 @@ def test_gauss_points_converge_faster_than_any_power():
 def test_every_kind_meets_the_closed_form():
     for kind in KINDS:
         assert rms(kind, 6, 4) < (0.02 if kind == "random" else 3e-3)
+
+
+# --- the exercise ----------------------------------------------------------------------------------------------------
+SPOT = next(x for loaded in catalog.chapters() if loaded.id == "lights" for x in loaded.chapter.exercises)
+MISTAKES = {  # what it replaces and by what, in each language
+    "no clamp": {"python": ("0.0, 1.0)\n", "-9.0, 9.0)\n"), "glsl": ("0.0, 1.0);", "-9.0, 9.0);")},
+    "full angles": {"python": ("0.5 * (falloff - angle)", "0.25 * (falloff - angle)"),
+                    "glsl": ("0.5 * (falloff - angle)", "0.25 * (falloff - angle)")},
+    "no hard edge": {"python": ("hard = hotspot >= falloff", "hard = hotspot > falloff + 9"),
+                     "glsl": ("if (hotspot >= falloff)", "if (hotspot > falloff + 9.0)")},
+}
+
+
+@pytest.mark.parametrize("language", ["python", "glsl"])
+@pytest.mark.parametrize("mistake", MISTAKES)
+@pytest.mark.filterwarnings("ignore:invalid value", "ignore:divide by zero")
+def test_a_mistake_in_the_spot_is_found(mistake, language, ctx):
+    old, new = MISTAKES[mistake][language]
+    text = SPOT.solutions[language]
+    assert text.count(old) == 1
+    findings = run(SPOT, language, text.replace(old, new))
+    assert not all(finding.ok for finding in findings) and not any(finding.said for finding in findings)
+
+
+def test_cosines_fail_for_a_narrow_beam_in_float32(ctx):
+    """The slide's own differences, clamped: right on paper, and lost in seven digits."""
+    text = """float spot_linear(float off_axis, float hotspot, float falloff) {
+    if (hotspot >= falloff) return off_axis <= falloff ? 1.0 : 0.0;
+    return clamp(1.0 - (cos(hotspot) - cos(off_axis)) / (cos(hotspot) - cos(falloff)), 0.0, 1.0);
+}"""
+    findings = {finding.words: finding for finding in run(SPOT, "glsl", text)}
+    assert not findings["a beam of a hundredth of a degree"].ok and findings["in the hotspot: 1"].ok
+
+
+# --- filters ---------------------------------------------------------------------------------------------------------
+def test_filters_at_their_ends():
+    assert filters.toksvig_exponent([1.0, 0.0, 0.5], [50.0, 50.0, 0.0]).tolist() == [50, 0, 0]
+    assert filters.toksvig_exponent(0.0, 0.0) == 0
+    around = filters.vmf_mean_length(np.array([0.5 - 1e-12, 0.5 + 1e-12]))
+    assert np.ptp(around) < 1e-12 and filters.vmf_mean_length(0.0) == 0 and filters.vmf_mean_length(1e300) == 1
 
 
 # --- scenes ----------------------------------------------------------------------------------------------------------

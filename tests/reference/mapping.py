@@ -30,6 +30,8 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "projected_solid_angle.triangle": Twin("projected_solid_angle_polygon", {"P": "corners"}),
     "light.spot_linear_cos": Twin("spot_linear_cos", {"cosang": "cosine", "H": "hotspot", "F": "falloff"}),
     "light.spot_flux": Twin("spot_flux", {"I0": "radiant_intensity", "H": "hotspot", "F": "falloff"}),
+    "filter.toksvig_exponent": Twin("toksvig_exponent", {"Na_len": "normal_length", "n": "exponent"}),
+    "filter.vmf_mean_length": Twin("vmf_mean_length"),
     "light.windowed_falloff_karis": Twin("windowed_falloff", {"d": "distance", "r": "reach"}),
 }
 
