@@ -79,17 +79,17 @@ def sample_flux(radiance, panel_width, panel_depth, level):
     return np.pi * np.asarray(radiance, float) * area / 4.0 ** np.asarray(level)
 
 
-def sample_share(way):
+def sample_share(to_sample):
     """What a sample gives per area, radiance and distance of its plane: the rest of cos cos_light / r^2.
 
-    max(0, way.z) / r^4, r = |way|; cos = way.z / r and cos_light = distance of the plane / r
+    max(0, to_sample.z) / r^4, r = |to_sample|; cos = to_sample.z / r and cos_light = distance of the plane / r
 
-    way (..., 3) m, from the shaded point, its normal +z. Returns (...) 1/m^3. Errors: none.
+    to_sample (..., 3) m, from the shaded point, its normal +z. Returns (...) 1/m^3. Errors: none.
     Source: deck, Light Contribution of Area Lights (1), with the emitter's cosine.
     """
-    way = np.asarray(way, float)
-    r2 = np.sum(way * way, -1)
-    return np.maximum(way[..., 2], 0) / r2 / r2
+    to_sample = np.asarray(to_sample, float)
+    r2 = np.sum(to_sample * to_sample, -1)
+    return np.maximum(to_sample[..., 2], 0) / r2 / r2
 
 
 def irradiance_panel_sampled(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position,

@@ -2,17 +2,17 @@
 #include "core/power.glsl"
 #include "optics/spherical.glsl"
 
-float emission(int distribution, float exponent, float theta) {
-    // Lighting Distribution (1): f_e, normalised so that all directions sum to 1; 0 constant, 1 cosine, 2 cos^n
-    if (distribution == 0) return 0.25 / PI;
+float radiant_intensity_of(float radiant_flux, int distribution, float exponent, float theta) {
+    // Lighting Distribution (1): I = Phi f_e; f_e is 0 constant, 1 cosine, 2 cos^n, all directions summing to 1
+    if (distribution == 0) return radiant_flux * 0.25 / PI;
     float n = distribution == 1 ? 1.0 : exponent, s = sin(0.5 * theta);
-    float root = theta < 0.5 * PI ? cosine_power(cos(theta), 2.0 * s * s, 0.5 * n) : 0.0; // its square may be smaller than the factor makes it
-    return (n + 1.0) / (2.0 * PI) * root * root;
+    float root = theta < 0.5 * PI ? cosine_power(cos(theta), 2.0 * s * s, 0.5 * n) : 0.0; // its square may be too small
+    return (n + 1.0) / (2.0 * PI) * root * (radiant_flux * root);
 }
 
-float radiant_intensity_of(float radiant_flux, int distribution, float exponent, float theta) {
-    // Lighting Distribution (1): I = Phi f_e
-    return radiant_flux * emission(distribution, exponent, theta);
+float emission(int distribution, float exponent, float theta) {
+    // Lighting Distribution (1): f_e, the intensity of one watt
+    return radiant_intensity_of(1.0, distribution, exponent, theta);
 }
 
 float radiant_flux_of(float radiant_intensity, float exponent) {

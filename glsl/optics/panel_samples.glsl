@@ -31,10 +31,10 @@ float sample_flux(float radiance, float panel_width, float panel_depth, int leve
     return PI * radiance * panel_width * panel_depth / float(1 << (2 * level));
 }
 
-float sample_share(vec3 way) {
+float sample_share(vec3 to_sample) {
     // Light Contribution of Area Lights (1): n.l / r^3, what a sample gives per area, radiance and distance to its plane
-    float r2 = dot(way, way);
-    return max(way.z, 0.0) / r2 / r2;
+    float r2 = dot(to_sample, to_sample);
+    return max(to_sample.z, 0.0) / r2 / r2;
 }
 
 float irradiance_panel_sampled(float radiance, float light_x, float light_y, float light_height, float panel_width, float panel_depth, float panel_tilt, vec3 position, int sampling, int level, int seed) {
