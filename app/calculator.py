@@ -38,10 +38,16 @@ def run(options: argparse.Namespace, out: TextIO = sys.stdout) -> int:
         if not options.json:
             raise Usage("Name a function, as in `halfway eval solid_angle_cone half_angle=30deg`, "
                         "or give cases with `halfway eval --json < cases.json`.")
-        answers = [answer(case, options.backend) for case in read_cases(sys.stdin.read())]
+        answers = [answer(number, case, options.backend) for number, case in enumerate(read_cases(sys.stdin.read()))]
         print(json.dumps(answers, indent=1, allow_nan=False), file=out)
         return 0
-    args = bound(options.function, dict(split(word) for word in options.arguments))
+    given: dict[str, str] = {}
+    for name, value in map(split, options.arguments):
+        if name in given:
+            raise Usage(f"{name} is given twice, as {given[name]} and {value}; for several values write {name}="
+                        f"{given[name]},{value}.")
+        given[name] = value
+    args = bound(options.function, given)
     values = results(options.function, args, options.backend)
     if options.json:
         case = {"function": options.function, "args": {k: np.asarray(v).tolist() for k, v in args.items()}}
@@ -72,8 +78,12 @@ def read_cases(text: str) -> list[dict]:
     return cases
 
 
-def answer(case: dict, backend: str) -> dict:
-    return case | strict(results(case["function"], bound(case["function"], case["args"]), backend))
+def answer(number: int, case: dict, backend: str) -> dict:
+    try:
+        args = bound(case["function"], case["args"])
+    except Usage as problem:
+        raise Usage(f"case {number}: {problem}") from None
+    return case | strict(results(case["function"], args, backend))
 
 
 def bound(function: str, given: dict) -> dict[str, np.ndarray]:
@@ -110,7 +120,7 @@ def array(function: str, name: str, given) -> np.ndarray:
     try:
         value = np.array(worded(name, given), float)
     except (ValueError, TypeError):
-        raise Usage(f"{name}: {given!r} is not a number or an even list of numbers.") from None
+        raise Usage(f"{name}: {given!r} is neither a number nor a list of numbers of one shape.") from None
     if not np.all(np.isfinite(value)):
         raise Usage(f"{name}: {given!r} holds a number that is not finite.")
     wide = (3, 3) if argument.type == "sampler2D" else (width,) if width > 1 else ()

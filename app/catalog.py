@@ -69,7 +69,20 @@ class LoadedStep:
 
     @cached_property
     def values(self) -> dict[str, "ValueSpec"]:
-        return values_of(self.step)
+        try:
+            return values_of(self.step)
+        except Problem as problem:
+            place = f"{self.file_name}, line {self.line(str(problem))}"
+            raise Problem(f"{place}: step {self.step.name}: {problem}") from None
+
+    def line(self, sentence: str) -> int:
+        """The line of the lesson's file with the word that, as a sentence says, there is not."""
+        source, glsl = self.loaded.source, self.step.scene.glsl
+        word = found[1] if (found := re.search(r"there is no \w+ (\w+)", sentence)) else ""
+        if declared := re.search(rf"\buniform\b[^;\n]*\b{word}\b" if word else r"(?!)", glsl):
+            return self.glsl_line + glsl.count("\n", 0, declared.start())
+        begin = max(source.find(f'name="{self.step.name}"'), 0)
+        return source.count("\n", 0, max(source.find(f'"{word}"', begin), begin)) + 1
 
 
 @dataclass(frozen=True)
@@ -166,6 +179,9 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     from app.optics import arguments
 
     scene = step.scene
+    for name in shader.uniforms(scene.glsl):
+        if name not in TABLE and name not in DATA:
+            raise Problem(unknown_uniform(name))
     listed = {value.name: value for value in step.values}
     names = [*listed, *(name for name in shader.uniforms(scene.glsl) if name in TABLE)]
     if any(surface.mesh for surface in scene.surfaces):
@@ -179,6 +195,10 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
         names.append(step.plot.sweep)
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}
+
+
+def unknown_uniform(name: str) -> str:
+    return f"there is no quantity {name}, which the scene has as a uniform; nothing would set it.{near(name, TABLE)}"
 
 
 def spec_of(name: str, value: Value, meshes: tuple[str, ...]) -> ValueSpec:

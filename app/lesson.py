@@ -1,18 +1,34 @@
-"""What a chapter is made of: frozen data, no behaviour. A scene placed here can be played by any stage.
+"""What a chapter is made of: frozen data that refuses unknown words. A scene placed here can be played by any stage.
 
 What depends on a value lives in GLSL (the scene's functions) or is the name of a twin in `optics`; all else is
 constant.
 """
 
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import dataclass, field, fields
+from functools import cache
+from typing import Literal, get_args, get_origin
 
 Number = float | tuple[float, ...]
 Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
 
 
+class Worded:
+    """Refuses a word that a field does not know, there where the lesson says it."""
+
+    def __post_init__(self) -> None:
+        for name, words in vocabulary(type(self)):  # type: ignore[arg-type]
+            if (given := getattr(self, name)) not in words:
+                raise ValueError(f"{name}={given!r}; it can be {', '.join(map(repr, words))}")
+
+
+@cache
+def vocabulary(kind: type) -> tuple[tuple[str, tuple], ...]:
+    """The fields of a class that take one of some words."""
+    return tuple((f.name, get_args(f.type)) for f in fields(kind) if get_origin(f.type) is Literal)
+
+
 @dataclass(frozen=True)
-class Value:
+class Value(Worded):
     """A quantity of the step a student can change: its name in `quantities`, and where this step narrows the table.
 
     Angles are in degrees, as on screen. Every uniform of the scene that the table knows is a value without a word here.
@@ -48,7 +64,7 @@ class Surface:
 
 
 @dataclass(frozen=True)
-class Mark:
+class Mark(Worded):
     """A line that `vec3 mark_point(int mark, float t)` places, t from 0 to 1, in the grammar of colour and line."""
 
     name: str
@@ -70,7 +86,7 @@ class Dots:
 
 
 @dataclass(frozen=True)
-class Label:
+class Label(Worded):
     """Words at the point `vec4 probe(int i)`."""
 
     text: str
@@ -110,7 +126,7 @@ class Scene:
 
 
 @dataclass(frozen=True)
-class Readout:
+class Readout(Worded):
     """A live number: a twin at the step's values, in float64, or in float32 as the GPU computes it."""
 
     label: str
@@ -122,7 +138,7 @@ class Readout:
 
 
 @dataclass(frozen=True)
-class Curve:
+class Curve(Worded):
     label: str
     term: Term
     role: Literal["exact", "estimate", "printed"] = "exact"
@@ -130,7 +146,7 @@ class Curve:
 
 
 @dataclass(frozen=True)
-class Curves:
+class Curves(Worded):
     """Twins against one swept value; the step's present value is marked. `error` plots |f/f_exact - 1| instead."""
 
     title: str
@@ -143,7 +159,7 @@ class Curves:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class Sheet(Worded):
     """A surface in a plot: a twin that gives a point for (s, t) in the unit square, as it is or projected."""
 
     label: str
@@ -157,7 +173,7 @@ class Sheet:
 
 
 @dataclass(frozen=True)
-class Figure:
+class Figure(Worded):
     """Sheets in space, with the unit hemisphere or sphere and the base disk where asked."""
 
     title: str
@@ -188,7 +204,7 @@ class Choice:
 
 
 @dataclass(frozen=True)
-class Prediction:
+class Prediction(Worded):
     """Asked before it is told: a guess on a slider from `low` to `high`, or one of `choices`; the truth is a twin."""
 
     question: str

@@ -1,5 +1,6 @@
 """A question asked before the answer: the guess, the truth, and how far apart they are, said kindly."""
 
+import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -82,6 +83,8 @@ def words(ask: Prediction, answer: Answer) -> str:
     true = quantity(answer.truth, ask.unit)
     if answer.guess is not None:
         return f"{kindly(ask, answer.guess, answer.truth)}: {quantity(answer.guess, ask.unit)} guessed, {true} true."
+    if ask.unit.startswith("rad "):  # "rad from the pole": on screen, degrees
+        true = quantity(math.degrees(answer.truth), ask.unit.replace("rad", "°", 1))
     right = next((c.text for c in ask.choices if c.low <= answer.truth <= c.high), "")
     return f"That is it: {true}." if is_right(ask, answer) else f"It is {true}" + (f": “{right}”." if right else ".")
 
@@ -100,7 +103,7 @@ def kindly(ask: Prediction, guess: float, truth: float) -> str:
 
 
 def quantity(value: float, unit: str) -> str:
-    return f"{three(value)}{'' if unit in ('', '°', '%') else ' '}{unit}"
+    return f"{three(value)}{'' if unit[:1] in ('', '°', '%') else ' '}{unit}"
 
 
 def three(value: float) -> str:

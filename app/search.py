@@ -12,6 +12,7 @@ from app.lesson import Chapter, Step
 from app.paths import LESSONS
 
 WEIGHTS = {"title": 8.0, "slide": 5.0, "term": 6.0, "idea": 4.0, "prose": 1.0, "chapter": 3.0}
+FUNCTIONS = frozenset({"sin", "cos", "tan", "exp", "log", "max", "min"})
 COMMAND = re.compile(r"\\([a-zA-Z]+)")
 AROUND = 70  # letters of a snippet on each side of the word
 
@@ -103,7 +104,7 @@ def greek(command: re.Match) -> str:
     try:
         return unicodedata.lookup(f"GREEK SMALL LETTER {command[1].removeprefix('var')}")
     except KeyError:
-        return " "
+        return f"{command[1]} " if command[1] in FUNCTIONS else " "
 
 
 def folded(text: str) -> str:

@@ -4,7 +4,7 @@ import ast
 from collections.abc import Callable, Collection, Iterator
 
 from app import prose, shader
-from app.catalog import Loaded, LoadedStep, spec_of, terms
+from app.catalog import DATA, Loaded, LoadedStep, spec_of, terms, unknown_uniform
 from app.lesson import Curves, Faces, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
@@ -87,6 +87,9 @@ def faults(found: LoadedStep) -> Faults:
 
 
 def value_faults(found: LoadedStep) -> Faults:
+    for name in shader.uniforms(found.step.scene.glsl):
+        if name not in TABLE and name not in DATA:
+            yield name, unknown_uniform(name)
     for value in found.step.values:
         if value.name not in TABLE:
             yield f'"{value.name}"', f"there is no quantity {value.name}.{near(value.name, TABLE)}"
@@ -100,7 +103,8 @@ def value_faults(found: LoadedStep) -> Faults:
 def term_faults(found: LoadedStep) -> Faults:
     """Twins that do not exist, arguments that are neither given nor values; when all is known, what sets them."""
     step = found.step
-    whole = all(value.name in TABLE for value in step.values)
+    named = [value.name for value in step.values] + list(shader.uniforms(step.scene.glsl))
+    whole = all(name in TABLE or name in DATA for name in named)
     for where, term, swept in terms(step):
         if term.function not in names():
             whole = False

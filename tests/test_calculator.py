@@ -77,9 +77,10 @@ def test_no_nan_in_json(monkeypatch):
     (("solid_angle_sphere", "radius=1,2,3", "distance=1,2"), "different numbers"),
     (("solid_angle_cells", "rows=2.5"), "whole number"),
     (("solid_angle_triangle", "a=0,0", "b=1,0,1", "c=0,1,1"), "3 numbers"),
-    (("solid_angle_triangle", "a=0,0,1;1,1", "b=1,0,1", "c=0,1,1"), "even list"),
+    (("solid_angle_triangle", "a=0,0,1;1,1", "b=1,0,1", "c=0,1,1"), "list of numbers of one shape"),
     (("solid_angle_polygon", "corners=0,0,1", "corner_count=3"), "3 to 8 corners"),
     (("solid_angle_polygon", "corners=" + ";".join(["0,0,1"] * 9)), "3 to 8 corners"),
+    (("solid_angle_cone", "half_angle=1", "half_angle=2"), "half_angle is given twice, as 1 and 2"),
     ((), "Name a function"),
 ])
 def test_a_mistake_gets_one_sentence(words, says):
@@ -99,6 +100,12 @@ def test_a_mistake_gets_one_sentence(words, says):
 def test_garbled_cases_are_refused(monkeypatch, text):
     with pytest.raises(Usage):
         ask_cases(monkeypatch, text)
+
+
+def test_a_mistake_names_its_case(monkeypatch):
+    good = '{"function": "solid_angle_cone", "args": {"half_angle": 1}}'
+    with pytest.raises(Usage, match=r"^case 1: solid_angle_cone has no argument half_angel"):
+        ask_cases(monkeypatch, f"[{good}, {good.replace('half_angle', 'half_angel')}]")
 
 
 @pytest.mark.parametrize("name", shader.catalogue())

@@ -56,6 +56,7 @@ def test_values_come_from_list_scene_mesh_and_twins(tmp_path):
 @pytest.mark.parametrize(("change", "words", "sentence"), [
     (('title="Opening a cone"', 'title=Opening a cone"'), "title=Opening", "SyntaxError: "),
     (('Mark("ray")', 'Mrak("ray")'), "Mrak", "NameError: name 'Mrak' is not defined."),
+    (('Mark("ray")', 'Mark("ray", colour="nn")'), '"nn"', "ValueError: colour='nn'; it can be 'n', 'l', "),
     (("CHAPTER =", "CAPTER ="), '"""A chapter', "a lesson ends with CHAPTER = Chapter(...)."),
 ], ids=lambda x: str(x)[:20])
 def test_a_lesson_that_cannot_be_read_leaves_the_others(tmp_path, change, words, sentence):
@@ -80,6 +81,8 @@ FAULTS = {
     "unknown quantity": (('Value("half_angle", 30.0', 'Value("half_angel", 30.0'), "there is no quantity half_angel"),
     "default": (('Value("half_angle", 30.0', 'Value("half_angle", 130.0'), "from 0 to 120°"),
     "no range": (("low=0.0, high=120.0", "low=120.0, high=0.0"), "which is no range"),
+    "unknown uniform": (("uniform float half_angle", "uniform float half_angel"),
+                        "there is no quantity half_angel, which the scene has as a uniform"),
     "unknown twin": ((READOUT, 'Readout("cone", Term("solid_angle_con")'),
                      "there is no function solid_angle_con. Did you mean solid_angle_cone"),
     "unknown argument": ((READOUT, READOUT[:-1] + ', {"wide": 1.0})'),
@@ -127,6 +130,16 @@ def test_every_fault_names_file_and_line(tmp_path, name):
     exact = {"unknown quantity", "handle", "slide", "link", "unknown mesh", "unknown twin", "exercise"}
     if name in exact:
         assert number == small_lesson.line(folder, new.splitlines()[-1]), fault
+
+
+def test_a_value_that_cannot_be_is_told_at_its_line_when_the_step_is_opened(tmp_path):
+    for name in ("unknown quantity", "unknown twin", "unknown uniform"):
+        (old, new), sentence = FAULTS[name]
+        folder = small_lesson.write(tmp_path, (old, new))
+        with pytest.raises(Problem, match=sentence) as told:
+            assert catalog.step("small/open", folder).values
+        assert told.value.code == 1
+        assert str(told.value).startswith(f"lessons/ch01_small.py, line {small_lesson.line(folder, new)}: ")
 
 
 def test_slides_may_be_written_with_either_dash(tmp_path):

@@ -4,10 +4,11 @@ import math
 
 import pytest
 
+from app.catalog import step
 from app.prediction import Answer, kindly, words
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.search import folded, search
+from app.search import folded, readable, search
 from app.session import Session
 from app.state import View
 from tests import small_lesson
@@ -177,6 +178,11 @@ def test_a_choice_is_right_or_told(session):
     assert session.verdict == "That is it: 2.89 sr."
 
 
+def test_an_angle_is_told_in_degrees():
+    ask = step("solid_angle/differential").step.ask
+    assert words(ask, Answer("revealed", choice=0, truth=math.pi / 2)).startswith("It is 90° from the pole: ")
+
+
 def test_the_truth_is_told_without_a_guess_too(session):
     assert session.reveal().guess is None
     assert session.verdict == ""
@@ -283,6 +289,10 @@ def test_the_best_place_comes_first(folder):
 
 def test_folding_forgets_accents_and_case():
     assert folded("ÉCLAIRAGE Ångström") == "eclairage angstrom"
+
+
+def test_a_function_in_a_formula_stays_in_the_snippet():
+    assert "1 / cos θ more" in readable(r"covers $1 \,/ \cos\theta$ more")
 
 
 def test_the_course_is_found():

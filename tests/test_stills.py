@@ -2,6 +2,7 @@
 
 import io
 import json
+import os
 import re
 import subprocess
 import sys
@@ -332,6 +333,16 @@ def test_what_is_done_stays_when_it_is_stopped(tmp_path, monkeypatch, capsys):
     assert gallery.gallery(tmp_path, found=few("angle", "cone")) == 1
     read(tmp_path)
     assert "1 of 2 steps" in capsys.readouterr().out
+
+
+def test_without_opengl_the_gallery_says_so_once_and_at_once(tmp_path):
+    """Seven steps without a picture each, and a process of plots that dies for each, would take minutes."""
+    nowhere = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent", "LIBGL_DRIVERS_PATH": "/nonexistent"}
+    clean = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    done = subprocess.run([sys.executable, "-m", "app"], cwd=ROOT, capture_output=True, text=True, timeout=60,
+                          check=False, env=clean | nowhere | {gallery.VARIABLE: str(tmp_path / "new")})
+    said = done.stderr.strip().splitlines()
+    assert done.returncode == 1 and len(said) == 1 and "`halfway doctor`" in said[0], done.stderr
 
 
 def test_the_folder_is_named_by_the_option_or_the_environment(tmp_path, monkeypatch):

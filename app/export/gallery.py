@@ -32,6 +32,7 @@ def run(options) -> int:
     """options, all of them optional: output (a folder), theme, mesh."""
     folder = target.make_folder(getattr(options, "output", None) or os.environ.get(VARIABLE) or FOLDER)
     theme = THEMES[known("--theme", getattr(options, "theme", None) or "dark", tuple(THEMES))]
+    context()  # without OpenGL there is not one picture: said once, at once
     return gallery(folder, theme, mesh=getattr(options, "mesh", None))
 
 

@@ -7,6 +7,7 @@ and tests that open windows ask for a new one afterwards.
 """
 
 import ctypes
+import os
 import sys
 from functools import cache
 from typing import Any
@@ -93,6 +94,7 @@ def context() -> moderngl.Context:
     """The process's own context for rendering without a window."""
     tried = []
     if sys.platform.startswith("linux"):
+        os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # Mesa's own words say less than the sentence below
         for platform in (SURFACELESS, DEVICE, None):  # None: EGL's default display
             try:
                 given: Any = {"context": EglContext(platform)} if platform else {"standalone": True, "backend": "egl"}
