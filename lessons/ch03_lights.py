@@ -720,7 +720,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
     ),
     plot=Curves(
-        title="Error at x against the number of samples",
+        title="Error at x against samples",
         sweep="level",
         curves=(
             Curve("exact", Term("irradiance_panel")),
@@ -963,7 +963,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
     ),
     plot=Curves(
-        title="Error at x against samples (4 to the power of)",
+        title="Error at x against samples",
         sweep="level",
         curves=(
             Curve("exact", Term("irradiance_panel")),
