@@ -132,7 +132,31 @@ def _piece_terms(sky_piece, radiance, opening, theta):
     return radiance * np.select([piece == 1, piece == 2], [disk, window], 0.0)
 
 
+def _panel_terms(radiance, position, **panel):
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in around]
+    return radiance * _contour_terms(np.stack(corners, -2), 4)
+
+
+def _spherical_rectangle_terms(**args):
+    """1 - w^2 of a point far to the side: its terms, 1 and w^2, over what is left."""
+    point = twin("spherical_rectangle_point")(**args)
+    return norm(point, True) * 2 * (1 + (point[..., 0] / point[..., 2]) ** 2)
+
+
+def _strip_terms(strip, y0, y1, distance):
+    x = twin("strip_end")(strip, y0, y1, distance)
+    return np.abs(x) * 2 * (1 + (x / distance) ** 2)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
+        radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
+    "irradiance_panel": _panel_terms,
+    "irradiance_polygon_light": lambda radiance, corners, corner_count: (
+        radiance * _contour_terms(corners, corner_count)),
+    "irradiance_sphere_light": lambda radiance, radius, distance, theta: (
+        radiance * _sphere_terms(radius, distance, theta)),
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,
@@ -155,6 +179,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "radiance_sensor": lambda radiance, patch_area, half_angle, theta: (
         radiance * _sphere_terms(np.sin(half_angle), 1.0, theta)
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
+    "spherical_rectangle_point": _spherical_rectangle_terms,
+    "strip_end": _strip_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

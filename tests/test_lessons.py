@@ -146,6 +146,8 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     assert len(colours) > 20, "the picture is nearly of one colour"
 
 
+TWO_METRES = {"radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
+              "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
 QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
     ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
      {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
@@ -180,6 +182,30 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("radiometry/eye", "from 400 to 700 nm: 251", 251, 0.5, "luminous_efficacy_band",
      {"temperature": 5800.0, "wavelength_low": 400.0, "wavelength_high": 700.0}),
     ("radiometry/eye", "its light worth 330", 330, 10, "luminous_efficacy_lamp", {"lamp": 1, "temperature": 3000.0}),
+    ("lights/sources", "100: the area is a hundredth", 100, 1e-9, "radiance_sphere",
+     {"radiant_flux": 4 * math.pi**2, "radius": 0.1}),
+    ("lights/positional", "100. At 1 cm 10 000", 10_000, 1e-6, "irradiance_positional",
+     {"radiant_intensity": 1.0, "distance": 0.01, "theta": 0.0, "source_radius": 0.001}),
+    ("lights/positional", "at 1 m it already gives half", 0.5, 1e-3, "windowed_falloff",
+     {"distance": 1.0, "reach": 10.0}),
+    ("lights/directional", "0.20: a fifth", 0.2, 0.005, "falloff_error", {"distance": 5.0, "offset": 2.0}),
+    ("lights/directional", "to 21 digits", 4e-22, 3e-23, "falloff_error", {"distance": 1.496e11, "offset": 2.5}),
+    ("lights/distribution", "2.5 W/sr", 2.5, 1e-12, "radiant_intensity_of",
+     {"radiant_flux": math.pi, "distribution": 2, "exponent": 4.0, "theta": 0.0}),
+    ("lights/spot", "100 W/sr: 61 W", 61, 0.5, "spot_flux",
+     {"radiant_intensity": 100.0, "hotspot": math.radians(20), "falloff": math.radians(30)}),
+    ("lights/spot", "15.5 W: a quarter", 15.5, 0.05, "spot_flux",
+     {"radiant_intensity": 100.0, "hotspot": math.radians(10), "falloff": math.radians(15)}),
+    ("lights/area_sampled", "gets 26 W/m²", 26, 0.5, "irradiance_panel", TWO_METRES),
+    ("lights/area_sampled", "160, six times too much", 160, 1e-9, "irradiance_panel_centre", TWO_METRES),
+    ("lights/area_sampled", "26 becomes 37 W/m²", 37, 0.5, "irradiance_panel_without_cosine",
+     TWO_METRES | {"level": 6}),
+    ("lights/area_exact", "gives 0.79 W/m²", 0.79, 0.005, "irradiance_sphere_light",
+     {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": 0.0}),
+    ("lights/area_exact", "0.091", 0.091, 5e-4, "irradiance_sphere_light",
+     {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
+    ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
+     TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
 ]
 
 

@@ -37,6 +37,11 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "photometry.candela_watts_per_sr_540THz": Twin("radiant_intensity_540thz", fixed={"luminous_intensity": 1.0}),
     "colour.linear_to_srgb": Twin("linear_to_srgb", {"x": "linear"}),
     "colour.srgb_to_linear": Twin("srgb_to_linear", {"x": "encoded"}),
+    "light.spot_linear_cos": Twin("spot_linear_cos", {"cosang": "cosine", "H": "hotspot", "F": "falloff"}),
+    "light.spot_flux": Twin("spot_flux", {"I0": "radiant_intensity", "H": "hotspot", "F": "falloff"}),
+    "filter.toksvig_exponent": Twin("toksvig_exponent", {"Na_len": "normal_length", "n": "exponent"}),
+    "filter.vmf_mean_length": Twin("vmf_mean_length"),
+    "light.windowed_falloff_karis": Twin("windowed_falloff", {"d": "distance", "r": "reach"}),
 }
 
 
