@@ -192,7 +192,8 @@ def lamp_spectrum(lamp, wavelength, temperature):
     Source: deck, Units for Lighting - Lumen.
     """
     lamp, top = np.asarray(lamp), np.clip(WIEN / np.asarray(temperature, float), 380, 780)
-    return np.select([lamp == 0, lamp == 1], [planck_relative(wavelength, top, temperature), led_spectrum(wavelength)], 1.0)[()]
+    black = planck_relative(wavelength, top, temperature)
+    return np.select([lamp == 0, lamp == 1], [black, led_spectrum(wavelength)], 1.0)[()]
 
 
 def luminous_efficacy_planck(temperature):
