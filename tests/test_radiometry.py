@@ -159,6 +159,12 @@ def test_what_black_bodies_are_worth():
     assert twin("luminous_efficacy_planck")(2700.0) == pytest.approx(12.4, abs=0.1)  # a filament, all in all
 
 
+def test_two_wavelengths_of_a_black_body():
+    nm, other, temperature = (RNG.uniform(low, high, 300) for low, high in ((380, 2000), (380, 780), (800, 2e4)))
+    quotient = twin("planck_radiance")(nm, temperature) / twin("planck_radiance")(other, temperature)
+    assert np.allclose(twin("planck_relative")(nm, other, temperature), quotient, rtol=1e-12, atol=0)
+
+
 def test_lamps():
     worth = twin("luminous_efficacy_lamp")
     assert worth(2, 3000.0) == pytest.approx(K_M * 106.857 / 400, rel=1e-4)

@@ -9,6 +9,7 @@ from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
 from app.theme import THEMES
+from app.viewer import style, text_panel
 from tests.window import drive, frames, on_gl, until
 
 
@@ -168,6 +169,11 @@ def test_first_start_outline_and_search():
         engine.key_press(imgui.Key.o)
         assert window.show_outline
         engine.item_click("//Outline/##search")
+        engine.key_press(imgui.Key.escape)  # also while one types
+        frames(engine)
+        assert not window.show_outline
+        engine.key_press(imgui.Key.o)
+        engine.item_click("//Outline/##search")
         engine.key_chars("nusselt")
         frames(engine)
         engine.item_click("//Outline/**/What the floor gets##0")
@@ -249,6 +255,9 @@ def test_every_step_shows_in_every_theme(size):
                 window.set_theme(name)
                 frames(engine, 3)
                 assert not window.fault and not window.scene.faults, window.session.current.id
+                for column in ("Text", "Scene", "Plot"):
+                    inside = on_gl(engine, window, lambda name=column: imgui.internal.find_window_by_name(name))
+                    assert inside.content_size.x <= inside.size.x, (window.session.current.id, name, column)
             if size == (1280, 720):
                 until(engine, window, lambda: window.plot.of == window.session.current.id)
                 assert not window.plot.fault
@@ -257,6 +266,24 @@ def test_every_step_shows_in_every_theme(size):
                 frames(engine, 2)
 
     drive(test, start="solid_angle/angle", size=size)
+
+
+def test_a_formula_wider_than_its_column_is_made_smaller():
+    def test(engine, window):
+        window.set_theme("projector")
+        frames(engine)
+        text, size = window.session.current.step.prose, imgui.get_style().font_size_base
+        wide, narrow = (text_panel.prose(text, "projector", size, room) for room in (900, 380))
+        assert "scalebox" not in wide and narrow.count(r"$$\scalebox{0.") == 1
+
+    drive(test, start="solid_angle/polygon")
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
+@pytest.mark.parametrize("name", ["l", "printed", "quiet", "estimate"])
+def test_words_in_a_colour_of_the_grammar_can_be_read(theme, name):
+    light, ground = (style.luminance(c) for c in (style.ink(name, theme), style.rgb(theme.panel)))
+    assert style.contrast(light, ground) >= 4.5
 
 
 def test_the_window_loads_neither_vtk_nor_trimesh_nor_pillow():

@@ -156,6 +156,21 @@ def planck_radiance_naive(wavelength, temperature):
     return C_1 / wavelength**5 / (np.exp(x) - 1)
 
 
+def planck_relative(wavelength, wavelength_high, temperature):
+    """The spectral radiance of a black body at one wavelength, as a share of that at another.
+
+    planck_radiance(wavelength) / planck_radiance(wavelength_high), the two exponents subtracted as
+    C_2 (wavelength - wavelength_high) / (wavelength wavelength_high temperature), which does not cancel
+
+    wavelength, wavelength_high (...) nm, temperature > 0 (...) K. Returns (...). Errors: none.
+    Source: Planck 1901; constants CODATA 2018.
+    """
+    wavelength, wavelength_high = np.asarray(wavelength, float), np.asarray(wavelength_high, float)
+    x, x_high = (C_2 / (nm * np.asarray(temperature, float)) for nm in (wavelength, wavelength_high))
+    step = x_high * ((wavelength - wavelength_high) / wavelength)
+    return (wavelength_high / wavelength) ** 5 * np.exp(step) * np.expm1(-x_high) / np.expm1(-x)
+
+
 def led_spectrum(wavelength):
     """The relative spectrum of a white LED: a blue line and the broad glow of a phosphor.
 
@@ -177,7 +192,7 @@ def lamp_spectrum(lamp, wavelength, temperature):
     Source: deck, Units for Lighting - Lumen.
     """
     lamp, top = np.asarray(lamp), np.clip(WIEN / np.asarray(temperature, float), 380, 780)
-    black = planck_radiance(wavelength, temperature) / planck_radiance(top, temperature)
+    black = planck_relative(wavelength, top, temperature)
     return np.select([lamp == 0, lamp == 1], [black, led_spectrum(wavelength)], 1.0)[()]
 
 

@@ -1,5 +1,7 @@
 """The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); a tool-tip says what each means."""
 
+from collections.abc import Iterable
+
 from imgui_bundle import imgui
 
 from app.catalog import ValueSpec
@@ -8,26 +10,53 @@ from app.quantities import shown
 from app.typed import digits
 from app.viewer import style
 
-LABEL = 9.5  # em
+LABEL = 9.5  # em: at most
 BOUNDED = imgui.SliderFlags_.always_clamp
 
 
 def draw(app) -> None:
     """The few controls of the step, and the rest behind "more"."""
     specs = list(app.session.current.values.values())
+    left = label_width(specs)
     imgui.begin_disabled(app.session.frozen)
     for spec in (s for s in specs if not s.more):
-        row(app, spec)
+        row(app, spec, left)
     rest = [s for s in specs if s.more]
     if rest and imgui.tree_node("more"):
         for spec in rest:
-            row(app, spec)
+            row(app, spec, left)
         imgui.tree_pop()
     imgui.end_disabled()
 
 
-def row(app, spec: ValueSpec) -> None:
-    width = imgui.get_font_size() * LABEL
+def label_width(specs: Iterable[ValueSpec]) -> float:
+    unit = imgui.get_font_size()
+    return min(max((imgui.calc_text_size(words(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
+
+
+def height(specs: Iterable[ValueSpec], room: float) -> float:
+    """What the few controls take of a column `room` wide; the rest behind "more" may scroll."""
+    specs = list(specs)
+    room -= label_width(specs)
+    rows = sum(len(lines(s, room)) for s in specs if not s.more) + any(s.more for s in specs)
+    return rows * imgui.get_frame_height_with_spacing() + imgui.get_style().item_spacing.y
+
+
+def lines(spec: ValueSpec, room: float) -> list[list[int]]:
+    """The choices of a value, in as many lines as they need; a slider is one."""
+    found: list[list[int]] = [[]]
+    style, x = imgui.get_style(), 0.0
+    for i, text in enumerate(spec.choices):
+        width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(text).x
+        if found[-1] and x + width > room:
+            found.append([])
+            x = 0.0
+        found[-1].append(i)
+        x += width + style.item_spacing.x
+    return found
+
+
+def row(app, spec: ValueSpec, width: float) -> None:
     imgui.align_text_to_frame_padding()
     imgui.text(words(spec))
     tool_tip(spec)
@@ -57,11 +86,14 @@ def words(spec: ValueSpec) -> str:
 
 def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     found, new = False, value
-    for i, text in enumerate(spec.choices):
-        if i:
-            imgui.same_line()
-        if imgui.radio_button(f"{text}##{spec.name}", value == i) and value != i:
-            found, new = True, i
+    left = imgui.get_cursor_pos_x()
+    for line in lines(spec, imgui.get_content_region_avail().x):
+        imgui.set_cursor_pos_x(left)
+        for i in line:
+            if i != line[0]:
+                imgui.same_line()
+            if imgui.radio_button(f"{spec.choices[i]}##{spec.name}", value == i) and value != i:
+                found, new = True, i
     return found, new
 
 

@@ -16,12 +16,12 @@ ARROWS = (  # key, degrees around, degrees up, times the distance
 
 def press(window) -> None:
     io = imgui.get_io()
-    if io.want_text_input:
-        return
     if imgui.is_key_pressed(imgui.Key.escape, False):
         window.show_outline = window.show_help = False
         window.message = ""
         window.scene.picked = None
+    elif io.want_text_input:
+        return
     elif not window.show_welcome:
         (with_control if io.key_ctrl else alone)(window, io.key_shift)
 

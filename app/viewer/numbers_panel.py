@@ -38,7 +38,7 @@ def line(number: Number, theme: Theme, hidden: bool) -> None:
     imgui.table_next_column()
     if hidden:
         return
-    imgui.push_style_color(imgui.Col_.text, style.vec(colour("printed" if bad(number) else "quiet", theme)))
+    imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("printed" if bad(number) else "quiet", theme)))
     imgui.text_wrapped(number.error_text + (f"\n{number.cost_text}" if number.cost_text else ""))
     imgui.pop_style_color()
     if imgui.is_item_hovered() and number.cost_text:

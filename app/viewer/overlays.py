@@ -23,6 +23,8 @@ KEYS = (
 )
 FIXED = imgui.WindowFlags_.no_decoration | imgui.WindowFlags_.no_move | imgui.WindowFlags_.no_saved_settings
 
+OVERLAY = imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_resize | imgui.WindowFlags_.no_saved_settings
+
 
 def welcome(app, size: ImVec2) -> None:
     """The first picture, turning slowly, with the title and where to begin."""
@@ -73,7 +75,7 @@ def outline(app, size: ImVec2) -> None:
     """Every step, and a search over text, slide titles and terms."""
     centred("Outline", size, 46, 34)
     shown, app.show_outline = imgui.begin(
-        "Outline", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings
+        "Outline", True, OVERLAY
     )
     if shown:
         if imgui.is_window_appearing():
@@ -121,7 +123,7 @@ def hits(app) -> None:
 def help_keys(app, size: ImVec2) -> None:
     centred("Keys", size, 44, 22)
     shown, app.show_help = imgui.begin(
-        "Keys", True, imgui.WindowFlags_.no_collapse | imgui.WindowFlags_.no_saved_settings
+        "Keys", True, OVERLAY
     )
     if shown and imgui.begin_table("keys", 2):
         imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())

@@ -11,6 +11,7 @@ from app.theme import rgb
 from app.viewer import glfw, style
 
 TURN = 0.5  # degrees a pixel
+ON_ITS_WAY = "drawing…"
 
 
 class PlotPanel:
@@ -96,11 +97,17 @@ class PlotPanel:
         back, quiet = style.u32(rgb(theme.background)), style.u32(rgb(theme.quiet))
         draw.add_rect_filled(at, ImVec2(at.x + room.x, at.y + room.y), back, 4.0)
         low = ImVec2(at.x + 4 * unit, at.y + room.y - 3.5 * unit)
-        if not self.fault and isinstance(self.app.session.current.step.plot, Curves):
+        if not self.fault and not hidden and isinstance(self.app.session.current.step.plot, Curves):
             draw.add_line(low, ImVec2(at.x + room.x - unit, low.y), quiet, 1.5)
             draw.add_line(low, ImVec2(low.x, at.y + 2.5 * unit), quiet, 1.5)
-        text = self.fault or ("hidden until you have guessed" if hidden else "drawing…")
-        draw.add_text(imgui.get_font(), unit, ImVec2(at.x + unit, at.y + 0.45 * room.y), quiet, text, room.x - 2 * unit)
+        text = self.fault or (self.hidden_words() if hidden else ON_ITS_WAY)
+        left = 5 * unit if text == ON_ITS_WAY else unit  # right of the axis
+        begin = ImVec2(at.x + left, at.y + 0.45 * room.y)
+        draw.add_text(imgui.get_font(), unit, begin, quiet, text, room.x - left - unit)
+
+    def hidden_words(self) -> str:
+        told = self.app.session.answer.stage == "revealed"
+        return "hidden while the picture is frozen; F lets it go on" if told else "hidden until you have guessed"
 
     def turn(self) -> None:
         """A plot in space is turned like the scene."""

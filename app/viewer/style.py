@@ -5,6 +5,7 @@ from imgui_bundle import ImVec2, ImVec4, hello_imgui, imgui
 from app.theme import Theme, colour, rgb
 
 Rgb = tuple[float, float, float]
+READABLE = 4.5  # contrast of words with their ground (WCAG 2, AA)
 
 
 def vec(c: Rgb, alpha: float = 1.0) -> ImVec4:
@@ -17,6 +18,24 @@ def u32(c: Rgb, alpha: float = 1.0) -> int:
 
 def mix(a: Rgb, b: Rgb, share: float) -> Rgb:
     return tuple(x + (y - x) * share for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
+
+
+def ink(name: str, theme: Theme) -> Rgb:
+    """A colour of the grammar for words: as it is if it can be read on the panel, else nearer to the foreground."""
+    shade, panel, front = colour(name, theme), luminance(rgb(theme.panel)), rgb(theme.foreground)
+    share = 0.0
+    while share < 1.0 and contrast(luminance(mix(shade, front, share)), panel) < READABLE:
+        share += 0.05
+    return mix(shade, front, share)
+
+
+def luminance(c: Rgb) -> float:
+    red, green, blue = (x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in c)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(a: float, b: float) -> float:
+    return (max(a, b) + 0.05) / (min(a, b) + 0.05)
 
 
 def em(x: float, y: float | None = None) -> ImVec2:
@@ -49,6 +68,7 @@ def apply(theme: Theme, height: float) -> None:
     style.frame_padding = ImVec2(8, 4)
     front, panel, quiet = rgb(theme.foreground), rgb(theme.panel), rgb(theme.quiet)
     accent = colour("l", theme)
+    grab = mix(accent, panel, 0.45) if theme.name == "dark" else accent  # a number is read on it
     shades = {
         "text": (front, 1.0),
         "text_disabled": (quiet, 1.0),
@@ -59,8 +79,8 @@ def apply(theme: Theme, height: float) -> None:
         "frame_bg": (mix(panel, front, 0.09), 1.0),
         "frame_bg_hovered": (mix(panel, front, 0.15), 1.0),
         "frame_bg_active": (mix(panel, front, 0.2), 1.0),
-        "slider_grab": (accent, 1.0),
-        "slider_grab_active": (accent, 1.0),
+        "slider_grab": (grab, 1.0),
+        "slider_grab_active": (grab, 1.0),
         "check_mark": (accent, 1.0),
         "button": (mix(panel, front, 0.11), 1.0),
         "button_hovered": (mix(panel, front, 0.19), 1.0),

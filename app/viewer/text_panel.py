@@ -1,11 +1,12 @@
 """The left column: what the step says, the question it asks first, where it comes from, and the lecturer's notes."""
 
+import re
 from functools import lru_cache
 
-from imgui_bundle import imgui, rich_md
+from imgui_bundle import imgui, imgui_microtex, rich_md
 
 from app.lesson import Step
-from app.prose import for_screen
+from app.prose import FORMULA, for_screen
 from app.theme import THEMES, Theme, colour
 from app.viewer import style
 
@@ -13,8 +14,17 @@ MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
 
 
 @lru_cache(maxsize=64)
-def prose(text: str, theme: str) -> str:
-    return for_screen(text, THEMES[theme])
+def prose(text: str, theme: str, size: float, width: float) -> str:
+    """The prose for a column; a formula on a line of its own that is wider than the column is made smaller."""
+
+    def fitted(match: re.Match) -> str:
+        if not match["display"]:
+            return match[0]
+        needed = imgui_microtex.render(match["display"], size, style=imgui_microtex.TexStyle.display).width + size
+        return match[0] if needed <= width else rf"$$\scalebox{{{width / needed:.2f}}}{{{match['display']}}}$$"
+
+    shown = for_screen(text, THEMES[theme])
+    return FORMULA.sub(fitted, shown) if imgui_microtex.is_initialized() else shown
 
 
 def draw(app) -> None:
@@ -26,8 +36,9 @@ def draw(app) -> None:
     imgui.pop_style_color()
     imgui.spacing()
     base = imgui.get_style().font_size_base
+    text = prose(step.prose, theme.name, base, round(imgui.get_content_region_avail().x))
     imgui.push_font(None, base * base / MARKDOWN)  # it measures a pushed size against the base, and starts from its own
-    rich_md.render_raw(prose(step.prose, theme.name))
+    rich_md.render_raw(text)
     imgui.pop_font()
     imgui.spacing()
     question(app, step, theme)
@@ -79,7 +90,7 @@ def question(app, step: Step, theme: Theme) -> None:
             if imgui.is_item_hovered():
                 imgui.set_tooltip("Freeze the picture and hide the numbers until the guess is made.")
     else:
-        imgui.push_style_color(imgui.Col_.text, style.vec(colour("l", theme)))
+        imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("l", theme)))
         imgui.text_wrapped(session.verdict or "The truth:")
         imgui.pop_style_color()
         imgui.text_wrapped(ask.told)

@@ -23,7 +23,7 @@ from app.problem import Problem, Usage
 from app.progress import Progress
 from app.readouts import numbers
 from app.session import Session
-from app.theme import THEMES, Theme, colour
+from app.theme import THEMES, Theme, rgb
 from app.viewer import controls, glfw, numbers_panel, overlays, style, text_panel
 from app.viewer.cover import Cover
 from app.viewer.keys import press
@@ -155,20 +155,18 @@ class Window:
 
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = self.controls_height()
+        below = controls.height(self.session.current.values.values(), room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
         if self.fault:
+            imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
+            imgui.begin_child("fault", picture, imgui.ChildFlags_.always_use_window_padding)
             imgui.dummy(ImVec2(0, 0.3 * picture.y))
             imgui.text_wrapped("This picture cannot be drawn.\n" + self.fault)
+            imgui.end_child()
+            imgui.pop_style_color()
         else:
             self.scene.draw(self.values, self.session.view, self.theme, picture)
         controls.draw(self)
-
-    def controls_height(self) -> float:
-        """What the few controls take; the rest behind "more" may scroll."""
-        specs = self.session.current.values.values()
-        rows = sum(not s.more for s in specs) + any(s.more for s in specs)
-        return rows * imgui.get_frame_height_with_spacing() + imgui.get_style().item_spacing.y
 
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
@@ -195,7 +193,7 @@ class Window:
         imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min")
         if self.message:
             imgui.same_line()
-            controls.badge(self.message, colour("printed", self.theme))
+            controls.badge(self.message, style.ink("printed", self.theme))
             if imgui.is_item_clicked():
                 self.message = ""
         buttons = (("Outline", "o"), ("Notes", "n"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))

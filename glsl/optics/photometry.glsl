@@ -1,4 +1,5 @@
 #include "core/constants.glsl"
+#include "core/exponential.glsl"
 #include "optics/radiometry.glsl"
 
 // CIE 1924 photopic V(lambda), 380 to 780 nm every 5 nm: CIE 018:2019
@@ -68,12 +69,17 @@ float luminance_lambert(float rho, float illuminance) {
     return rho * illuminance / PI;
 }
 
+float planck_relative(float wavelength, float wavelength_high, float temperature) {
+    // Planck 1901: the quotient of two wavelengths, their exponents subtracted while they are exact
+    float x = C_2 / (wavelength * temperature), x_high = C_2 / (wavelength_high * temperature);
+    float step = x_high * ((wavelength - wavelength_high) / wavelength), size = wavelength_high / wavelength;
+    return size * size * size * size * size * exp(step) * one_less_exp(x_high) / one_less_exp(x);
+}
+
 float planck_radiance(float wavelength, float temperature) {
     // Planck 1901, with e^-x: nothing overflows, nothing cancels
-    float x = C_2 / (wavelength * temperature), up = exp(-x), below = 1.0 - up;
-    if (x < 0.5) below = x * (1.0 - x / 2.0 * (1.0 - x / 3.0 * (1.0 - x / 4.0 * (1.0 - x / 5.0 * (1.0 - x / 6.0 * (1.0 - x / 7.0))))));
-    float square = wavelength * wavelength;
-    return C_1 / (square * square * wavelength) * up / below;
+    float x = C_2 / (wavelength * temperature), square = wavelength * wavelength;
+    return C_1 / (square * square * wavelength) * exp(-x) / one_less_exp(x);
 }
 
 float planck_radiance_naive(float wavelength, float temperature) {
@@ -90,14 +96,18 @@ float led_spectrum(float wavelength) {
 
 float lamp_spectrum(int lamp, float wavelength, float temperature) {
     // Units for Lighting - Lumen: black body, LED, equal energy
-    if (lamp == 0) return planck_radiance(wavelength, temperature) / planck_radiance(clamp(WIEN / temperature, 380.0, 780.0), temperature);
+    if (lamp == 0) return planck_relative(wavelength, clamp(WIEN / temperature, 380.0, 780.0), temperature);
     return lamp == 1 ? led_spectrum(wavelength) : 1.0;
 }
 
 float luminous_efficacy_planck(float temperature) {
     // Units for Lighting - Watts: what is seen, over all that is radiated
     float seen = 0.0;
-    for (int i = 0; i < 81; i++) seen += V_LAMBDA[i] * planck_radiance(380.0 + 5.0 * float(i), temperature);
+    for (int i = 0; i < 81; i += 9) { // sums of sums keep their digits
+        float here = 0.0;
+        for (int j = i; j < i + 9; j++) here += V_LAMBDA[j] * planck_radiance(380.0 + 5.0 * float(j), temperature);
+        seen += here;
+    }
     float square = temperature * temperature;
     return K_M * 5.0 * seen / (STEFAN / PI * square * square);
 }
