@@ -484,7 +484,7 @@ vec4 probe(int i) {
             Mark("meridian", colour="exact", line="dashed", segments=32, label="θ", label_at=0.45),
         ),
         handles=(Handle("the cell", 0, ("theta", "phi")),),
-        camera=Camera(azimuth=-40, elevation=28, distance=5.2, target=(0.0, 0.0, 0.1)),
+        camera=Camera(azimuth=-40, elevation=28, distance=5.6, target=(0.0, 0.0, 0.2)),
         legend=(("n", "axis"), ("l", "one cell")),
     ),
     plot=Curves(

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -111,6 +112,20 @@ def test_a_figure_keeps_its_dome_and_follows_values_and_camera(plots):
     assert not changed[:70].any()
     turned = drawn(plots, NUSSELT, {**PATCH, "theta": 0.8}, camera=Camera(azimuth=40, distance=7.5))
     assert np.any(turned != second, -1).sum() > 5000
+
+
+def test_the_words_at_ticks_cast_no_shadows(plots):
+    """VTK's own words have a faint row below them at some sizes: their texture comes round again."""
+    against = replace(AGAINST, error=True, y_scale="log")
+    for size in ((478, 514), (490, 514), (491, 516)):
+        image = drawn(plots, against, PATCH, size=size, theme=LIGHT)
+        margin = image[int(0.2 * size[1]):int(0.85 * size[1]), :42]
+        inked = ~near(margin, rgb(LIGHT.background), 0).all(axis=1)
+        starts = np.flatnonzero(np.diff(np.r_[False, inked]) & inked)
+        assert len(starts) >= 3, "no words"
+        for start in starts:
+            end = start + int(np.argmin(np.r_[inked[start:], False]))
+            assert margin[start:end].min() < 110, f"a shadow in the rows from {start} to {end}"
 
 
 def test_the_same_wish_gives_the_same_picture(plots):

@@ -4,19 +4,19 @@ import math
 
 import numpy as np
 import pyvista as pv
+from PIL import Image, ImageDraw
 
 from app.lesson import Camera, Curves
 from app.plots.dashes import along, dashed
 from app.plots.dots import rimmed, stamp
-from app.plots.look import Look
+from app.plots.look import Look, bytes3
 from app.plots.sweep import Sweep, Swept, widened
 from app.plots.ticks import axis_title, number
-from app.plots.words import SHAPES, Entry, dot_size, line_of_words
+from app.plots.words import SHAPES, Entry, dot_size, font, line_of_words
 
 COLOUR = {"exact": "exact", "estimate": "estimate", "printed": "printed"}
 LINES = {"exact": ("solid", "dashed", "dotted"), "printed": ("dashdot", "dotted", "dashed"),
          "estimate": ("circle", "cross", "diamond", "square")}  # the second of a role still differs without colour
-FONT_FILE = 4  # VTK_FONT_FILE
 NOT_FINITE = 1.0, 0.18, 0.82  # magenta, as in the scene
 
 
@@ -24,6 +24,8 @@ class CurvesPart:
     def __init__(self, plot: Curves, look: Look, ranges: dict):
         self.plot, self.look = plot, look
         self.sweep = Sweep(plot, ranges)
+        self.x_ticks: tuple[list[float], list[str]] = ([], [])
+        self.y_ticks: tuple[list[float], list[str]] = ([], [])
         self.samples = samples(plot, self.sweep.exact if plot.error else None)
         self.y_title = plot.y_label
         if plot.error and self.sweep.exact is not None:
@@ -55,17 +57,13 @@ class CurvesPart:
         chart.SetLayoutStrategy(chart.AXES_TO_RECT)  # the frame is placed by us, and stays where it is
         low, high = widened(self.sweep.axis, 0.03)
         chart.x_range = [low, high]
-        set_ticks(chart.x_axis, *self.sweep.axis.ticks(max(2, round(self.size[0] / (4.6 * look.small)))))
+        self.x_ticks = self.sweep.axis.ticks(max(2, round(self.size[0] / (4.6 * look.small))))
+        set_ticks(chart.x_axis, *self.x_ticks)
         plotter.add_chart(chart)
 
     def style(self, axis) -> None:
         look = self.look
-        words = axis.GetLabelProperties()
-        words.SetColor(*look.foreground)
-        words.SetFontSize(look.small)
-        if look.font:
-            words.SetFontFamily(FONT_FILE)
-            words.SetFontFile(look.font)
+        axis.tick_labels_visible = False  # VTK's words leave their shadows at some sizes; we write them
         axis.pen.color, axis.pen.width = look.quiet, max(1.0, look.line / 2)
         axis.GetGridPen().SetColorF(*look.grid)
         axis.GetGridPen().SetWidth(max(1.0, look.line / 2))
@@ -84,7 +82,7 @@ class CurvesPart:
         axis = self.axis = self.sweep.framed(self.drawn)
         self.ends = widened(axis, 0.03)
         self.chart.y_range = list(self.ends)
-        positions, labels = axis.ticks(max(2, round(self.size[1] / (3.2 * self.look.small))))
+        self.y_ticks = positions, labels = axis.ticks(max(2, round(self.size[1] / (3.2 * self.look.small))))
         set_ticks(self.chart.y_axis, positions, labels)
         self.place(max((self.look.long(label) for label in labels), default=0.0))
         self.x, self.y = self.sweep.axis.place(self.shown(self.sweep.x)), [axis.place(s.y) for s in self.drawn]
@@ -109,7 +107,7 @@ class CurvesPart:
 
     def overlay(self, picture: np.ndarray) -> np.ndarray:
         """Dots of the estimates, crosses where a curve is not finite, and a large dot at the present value."""
-        picture, look, across = picture.copy(), self.look, dot_size(self.look)
+        picture, look, across = self.with_ticks(picture), self.look, dot_size(self.look)
         for sample, colour, y in zip(self.drawn_as, self.colours, self.y, strict=True):
             if sample in SHAPES:
                 places = self.pixels(self.x, y)
@@ -124,6 +122,17 @@ class CurvesPart:
             place = self.pixels(np.array([self.now]), self.axis.place([curve.now]))
             rimmed(picture, place, 2.0 * across, colour, look.background, 1.5 * look.scale)
         return picture
+
+    def with_ticks(self, picture: np.ndarray) -> np.ndarray:
+        """The picture with the words at the ticks of both axes."""
+        image, look, below = Image.fromarray(picture), self.look, self.size[1] - self.corner[1] + 0.45 * self.look.small
+        draw, ink, letters = ImageDraw.Draw(image), bytes3(look.foreground), font(look, look.small)
+        (x, x_words), (y, y_words) = self.x_ticks, self.y_ticks
+        for (at, _), word in zip(self.pixels(np.array(x), np.full(len(x), self.ends[0])), x_words, strict=True):
+            draw.text((at, below), word, ink, letters, anchor="ma")
+        for (_, at), word in zip(self.pixels(np.zeros(len(y)), np.array(y)), y_words, strict=True):
+            draw.text((self.corner[0] - 0.5 * look.small, at), word, ink, letters, anchor="rm")
+        return np.array(image)
 
     def pixels(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Points of the chart in the picture, px from its top left."""
