@@ -16,6 +16,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "inspect": ("app.inspection", "what a step brings along, and what it leaves out"),
     "render": ("", "one step as a picture"),
     "eval": ("app.calculator", "any function of the course as a calculator"),
+    "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."
@@ -104,6 +105,7 @@ def front(words: list[str]) -> argparse.Namespace:
 def window_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", default="", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh: STL, OBJ, PLY or GLB")
+    parser.add_argument("--ies", metavar="FILE", help="your luminaire: an IES file (LM-63)")
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
@@ -149,6 +151,7 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--view", metavar="PART", help="scene, plot or both")
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
+    parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")
 
 
 def render(options: argparse.Namespace) -> int:

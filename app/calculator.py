@@ -106,6 +106,11 @@ def bound(function: str, given: dict) -> dict[str, np.ndarray]:
 
 def array(function: str, name: str, given) -> np.ndarray:
     argument = next(a for a in shader.catalogue()[function][1].args if a.name == name)
+    table = argument.type == "sampler2D" and name == "table"
+    if table and isinstance(given, str):
+        from app.ies import read
+
+        return read(Path(given)).table
     if argument.type == "sampler2D" and isinstance(given, str):
         from app.meshes import load
 
@@ -123,10 +128,10 @@ def array(function: str, name: str, given) -> np.ndarray:
         raise Usage(f"{name}: {given!r} is neither a number nor a list of numbers of one shape.") from None
     if not np.all(np.isfinite(value)):
         raise Usage(f"{name}: {given!r} holds a number that is not finite.")
-    wide = (3, 3) if argument.type == "sampler2D" else (width,) if width > 1 else ()
+    wide = () if table else (3, 3) if argument.type == "sampler2D" else (width,) if width > 1 else ()
     if wide and value.shape[value.ndim - len(wide):] != wide:
         raise Usage(f"{name} is a {argument.type}: give {' x '.join(map(str, wide))} numbers, as in 0,0,1.")
-    least = 3 if argument.type == "sampler2D" else 2 if argument.size else 0
+    least = 2 if table else 3 if argument.type == "sampler2D" else 2 if argument.size else 0
     if value.ndim < least or (argument.size and not 3 <= value.shape[-2] <= MAX_CORNERS):
         raise Usage(f"{name} is a list: of 3 to {MAX_CORNERS} corners x,y,z;x,y,z;... or of triangles.")
     if argument.type != "int":

@@ -10,13 +10,14 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 from app import shader
-from app.lesson import Chapter, Curves, Figure, Number, Step, Term, Value
+from app.lesson import Chapter, Curves, Figure, Ledger, Number, Scene, Step, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import TABLE, Quantity, entered, quantity
 
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+SWEPT = frozenset({"s", "t"})
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,12 +166,17 @@ def line_of(error: Exception, file: Path) -> int:
 
 def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     """Every twin a step calls: (where, term, the names swept there)."""
-    found = [(f"readout {r.label!r}", r.term, DATA - {"s", "t"}) for r in step.readouts]
-    found.append(("prediction", step.ask.truth, DATA - {"s", "t"}))
+    data = DATA - SWEPT | {table.uniform for table in step.scene.tables}
+    found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
+    found.append(("prediction", step.ask.truth, data))
     if isinstance(step.plot, Curves):
-        found += [(f"curve {c.label!r}", c.term, frozenset({"triangles", step.plot.sweep})) for c in step.plot.curves]
+        found += [(f"curve {c.label!r}", c.term, data | {step.plot.sweep}) for c in step.plot.curves]
     if isinstance(step.plot, Figure):
-        found += [(f"sheet {s.label!r}", term, DATA) for s in step.plot.sheets for term in (s.term, s.height) if term]
+        found += [(f"sheet {s.label!r}", term, data | SWEPT) for s in step.plot.sheets for term in (s.term, s.height)
+                  if term]
+    if isinstance(step.plot, Ledger):
+        found += [(f"row {r.label!r}", r.term, data) for column in step.plot.columns for r in column]
+        found += [("balance", term, data) for term in step.plot.balance or ()]
     return found
 
 
@@ -179,13 +185,13 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     from app.optics import arguments
 
     scene = step.scene
-    for name in shader.uniforms(scene.glsl):
-        if name not in TABLE and name not in DATA:
-            raise Problem(unknown_uniform(name))
+    for name in unknown_uniforms(scene):
+        raise Problem(unknown_uniform(name))
     listed = {value.name: value for value in step.values}
     names = [*listed, *(name for name in shader.uniforms(scene.glsl) if name in TABLE)]
     if any(surface.mesh for surface in scene.surfaces):
         names += ["shape"] * (len(scene.meshes) > 1) + ["eye"]
+    names += [table.choice for table in scene.tables if table.choice]
     if scene.dots and isinstance(scene.dots.count, str):
         names.append(scene.dots.count)
     for _, term, swept in terms(step):
@@ -195,6 +201,12 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
         names.append(step.plot.sweep)
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}
+
+
+def unknown_uniforms(scene: Scene) -> list[str]:
+    """Uniforms of a scene that are no quantity, no mesh and no table: nothing would set them."""
+    known = {*TABLE, *DATA, *(table.uniform for table in scene.tables)}
+    return [name for name in shader.uniforms(scene.glsl) if name not in known]
 
 
 def unknown_uniform(name: str) -> str:

@@ -37,6 +37,7 @@ class Inspection:
     attributes: dict[str, str]
     passes: tuple[Pass, ...]
     vertices: dict[str, int]
+    tables: dict[str, tuple[int, int]]  # uniform -> rows and columns of its numbers
     packages: dict[str, str]  # Python package -> what for
     processes: tuple[str, ...]
     functions_left_out: tuple[str, ...]  # of the included files: nothing calls them
@@ -71,7 +72,7 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
         tuple(sorted(kept - own - {"main"})),
         {name: kind for one in passes for name, kind in one.uniforms.items()},
         {name: kind for one in passes for name, kind in one.attributes.items()},
-        passes, vertices(scene, triangles(scene, values), values), packages(found),
+        passes, vertices(scene, triangles(scene, values), values), table_sizes(scene, values), packages(found),
         ("window", "plot (pyvista and VTK, on its own)"),
         tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts))
 
@@ -101,6 +102,14 @@ def triangles(scene: Scene, values: dict):
     return built_in(scene.meshes[int(values.get("shape", 0))]).triangles
 
 
+def table_sizes(scene: Scene, values: dict) -> dict[str, tuple[int, int]]:
+    if not scene.tables:
+        return {}
+    from app.tables import chosen
+
+    return {name: (len(table), len(table[0])) for name, table in chosen(scene, values).items()}
+
+
 def packages(found: LoadedStep) -> dict[str, str]:
     step = found.step
     needs = {"numpy": "numbers", "moderngl": "the scene", "imgui_bundle": "the window",
@@ -119,6 +128,8 @@ def left_out(found: LoadedStep, functions: set[str], files: set[str]) -> tuple[s
         said.append(f"{', '.join(sorted(files))}: included by others, and nothing of it is used.")
     if not any(surface.mesh for surface in scene.surfaces):
         said.append("trimesh: the scene has no mesh.")
+    if not scene.tables:
+        said.append("the reader of IES files: the scene has no measured luminaire.")
     said += [f"the program for {DRAWN[name]}: the scene has none." for name, n in drawn(scene).items() if not n]
     said.append("pyrender: no second renderer is compared here.")
     said.append("PIL: only stills are written with it.")
@@ -137,6 +148,8 @@ def faults(found: LoadedStep, texts: Programs) -> tuple[str, ...]:
           if name not in used),
         *(f"{where}: the function {name} is written and not called." for name in shader.signatures(own)
           if name not in called),
+        *(f"{where}: the table {table.uniform} is named and not used." for table in found.step.scene.tables
+          if table.uniform not in used),
         *(f"{where}: nothing of {file} is used." for file in sorted(direct & idle_files(texts))))
 
 
@@ -157,6 +170,7 @@ def words(found: Inspection) -> str:
     lines += [f"pass        {one.name}: {one.draws} {DRAWN[one.name]}; {len(one.functions)} functions, "
               f"{len(one.uniforms)} uniforms" for one in found.passes]
     lines += [f"vertices    {sum(found.vertices.values())}: {listed(f'{n} {v}' for n, v in found.vertices.items())}"]
+    lines += [f"table       {name}: {rows} x {columns} numbers" for name, (rows, columns) in found.tables.items()]
     lines += [f"package     {name}: {why}" for name, why in found.packages.items()]
     lines += [f"process     {listed(found.processes)}", "", "left out"]
     lines += [f"  {sentence}" for sentence in found.left_out]

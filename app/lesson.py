@@ -104,6 +104,17 @@ class Handle:
 
 
 @dataclass(frozen=True)
+class Table:
+    """Constant numbers with a name of their own: a `sampler2D` of the scene and an argument of its twins.
+
+    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it."""
+
+    uniform: str
+    files: tuple[str, ...]
+    choice: str = ""
+
+
+@dataclass(frozen=True)
 class Camera:
     azimuth: float = -50.0  # degrees, from +x towards +y
     elevation: float = 22.0  # degrees
@@ -123,6 +134,7 @@ class Scene:
     camera: Camera = Camera()
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
+    tables: tuple[Table, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -135,6 +147,7 @@ class Readout(Worded):
     precision: Literal["float64", "float32"] = "float64"
     unit: str = "sr"
     against: str = ""  # the label of the exact readout this one's error is taken against
+    absent: str = ""  # what is said where there is no such number (NaN)
 
 
 @dataclass(frozen=True)
@@ -191,7 +204,28 @@ class Faces:
     camera: Camera = Camera()
 
 
-Plot = Curves | Figure | Faces
+@dataclass(frozen=True)
+class LedgerRow:
+    """A quantity of a ledger; it is the one before it times a factor whose unit is `by` ("": a mere number)."""
+
+    label: str
+    term: Term
+    unit: str
+    by: str = ""
+    how: str = ""  # what the factor is, in a word or two
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Quantities below each other, in columns, their dimensions checked; and a balance: emitted, received, escaped."""
+
+    title: str
+    columns: tuple[tuple[LedgerRow, ...], ...]
+    balance: tuple[Term, Term, Term] | None = None
+    unit: str = ""  # of the balance
+
+
+Plot = Curves | Figure | Faces | Ledger
 
 
 @dataclass(frozen=True)

@@ -44,8 +44,9 @@ def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
         shown = 0.0 if abs(value) <= NOTHING * SUMS.get(readout.term.function, 0.0) else value
         error, error_text = against(readout, shown, found.get(readout.against))
         estimate = bool(readout.against)
+        words = readout.absent if readout.absent and math.isnan(shown) else written(shown, readout.unit)
         found[readout.label] = Number(
-            readout.label, readout.role, shown, readout.unit, error, written(shown, readout.unit), error_text,
+            readout.label, readout.role, shown, readout.unit, error, words, error_text,
             full(value, readout), cost if estimate else None, duration(cost) if estimate else "")
     return list(found.values())
 

@@ -2,7 +2,7 @@
 
 u is half the distance of 1 to the next number of the type. cond is the relative condition number: inputs off by u each
 move the value by up to cond u, so rounding the inputs alone costs that much. kappa is how many times larger the terms
-of a sum are than the sum itself; only the functions of TERMS have one.
+of a sum are than the sum itself, or what it costs to round a step on the way; only the functions of TERMS have one.
 """
 
 from collections.abc import Callable
@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.optics import twin
+from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle import _dot, _fan
@@ -18,7 +19,9 @@ from app.quantities import TABLE
 U = {"float64": 2.0**-53, "float32": 2.0**-24}
 FACTOR = 8.0
 STEP = 2.0**-24  # of the differences: the change that rounding to float32 makes
+CONSTANT = ("triangles", "table")  # data, not inputs: they are given as they are
 SMALLEST = {"float64": 1000 * 2.0**-1022, "float32": 1000 * 2.0**-126}  # below: compared absolutely
+LARGEST = {"float64": 2.0**1023, "float32": 2.0**127}  # beyond: the type has no number for it, and infinite is right
 
 
 def norm(value: np.ndarray, is_vector: bool) -> np.ndarray:
@@ -35,7 +38,7 @@ def moved(function: str, args: dict, is_vector: bool = False) -> np.ndarray:
     total = np.zeros_like(norm(f(**args), is_vector))
     for name, given in args.items():
         x = np.asarray(given)
-        if x.dtype.kind != "f" or name == "triangles":
+        if x.dtype.kind != "f" or name in CONSTANT:
             continue
         for step in steps(name, x):
             with np.errstate(invalid="ignore"):  # an infinite value
@@ -109,16 +112,75 @@ def _ratio_terms(distance, tilt, width):
     return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
 
 
+def _towards_terms(table, way, turn, aim):
+    """The direction passes through its angles: at the end of a beam rounding them costs more than rounding the way."""
+    theta, phi = _aimed(way, turn, aim)
+    return moved("ies_candela", {"table": table, "theta": theta, "phi": phi})
+
+
+def _illuminance_terms(table, way, normal, turn, aim):
+    return _towards_terms(table, way, turn, aim) * _falloff(way, normal)
+
+
+def _room_terms(table, height, setback, turn, aim, meter_x, meter_s):
+    return _illuminance_terms(table, *_meter(height, setback, meter_x, meter_s), turn, aim)
+
+
+def _piece_terms(sky_piece, radiance, opening, theta):
+    size, piece = np.sin(opening), np.asarray(sky_piece)
+    disk, window = _sphere_terms(size, 1.0, theta), _patch_terms(theta, 1.0, 0.0, 2 * size)
+    return radiance * np.select([piece == 1, piece == 2], [disk, window], 0.0)
+
+
+def _panel_terms(radiance, position, **panel):
+    around = ((0, 0), (1, 0), (1, 1), (0, 1))
+    corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in around]
+    return radiance * _contour_terms(np.stack(corners, -2), 4)
+
+
+def _spherical_rectangle_terms(**args):
+    """1 - w^2 of a point far to the side: its terms, 1 and w^2, over what is left."""
+    point = twin("spherical_rectangle_point")(**args)
+    return norm(point, True) * 2 * (1 + (point[..., 0] / point[..., 2]) ** 2)
+
+
+def _strip_terms(strip, y0, y1, distance):
+    x = twin("strip_end")(strip, y0, y1, distance)
+    return np.abs(x) * 2 * (1 + (x / distance) ** 2)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
+        radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
+    "irradiance_panel": _panel_terms,
+    "irradiance_polygon_light": lambda radiance, corners, corner_count: (
+        radiance * _contour_terms(corners, corner_count)),
+    "irradiance_sphere_light": lambda radiance, radius, distance, theta: (
+        radiance * _sphere_terms(radius, distance, theta)),
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
     "projected_solid_angle_patch": _patch_terms,
     "projected_solid_angle_sphere": _sphere_terms,
+    "ies_towards": _towards_terms,
+    "ies_illuminance": _illuminance_terms,
+    "ies_room_illuminance": _room_terms,
     "solid_angle_disk": _disk_terms,
     "solid_angle_polygon": _polygon_terms,
     "solid_angle_outline": _outline_terms,
     "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
+    "irradiance_sphere": lambda radiance, radius, distance, theta: radiance * _sphere_terms(radius, distance, theta),
+    "irradiance_piece": _piece_terms,
+    "irradiance_sensor": lambda radiance, half_angle, theta: radiance * _sphere_terms(np.sin(half_angle), 1.0, theta),
+    "radiant_energy_sensor": lambda radiance, patch_area, half_angle, theta, duration: (
+        radiance * patch_area * duration * _sphere_terms(np.sin(half_angle), 1.0, theta)),
+    "radiant_flux_sensor": lambda radiance, patch_area, half_angle, theta: (
+        radiance * patch_area * _sphere_terms(np.sin(half_angle), 1.0, theta)),
+    "radiance_sensor": lambda radiance, patch_area, half_angle, theta: (
+        radiance * _sphere_terms(np.sin(half_angle), 1.0, theta)
+        / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
+    "spherical_rectangle_point": _spherical_rectangle_terms,
+    "strip_end": _strip_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 
@@ -126,7 +188,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
 def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
     """|got - value| in units of u (1 + cond + kappa) |value|, the value being the float64 twin's at the same inputs.
 
-    A value too small for the type counts 0 when the other is as small, and infinite when it is not.
+    A value too small for the type counts 0 when the other is as small, and infinite when it is not; where the value is
+    too large for it, infinite of the same sign counts 0.
     """
     value, got = np.asarray(twin(function)(**args), float), np.asarray(got, float)
     size = norm(value, is_vector)
@@ -134,6 +197,7 @@ def ratio(function: str, args: dict, got, precision: str = "float32", is_vector:
     if function in TERMS:
         cost = cost + TERMS[function](**args)
     with np.errstate(divide="ignore", invalid="ignore"):
+        got = np.where((np.abs(value) > LARGEST[precision]) & np.isinf(got), np.sign(got) * np.abs(value), got)
         off = norm(np.where(value == got, 0.0, got - value), is_vector)
         found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
                          np.where(off == 0, 0.0, off / (U[precision] * cost)))

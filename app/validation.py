@@ -4,8 +4,8 @@ import ast
 from collections.abc import Callable, Collection, Iterator
 
 from app import prose, shader
-from app.catalog import DATA, Loaded, LoadedStep, spec_of, terms, unknown_uniform
-from app.lesson import Curves, Faces, Number, Scene
+from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
+from app.lesson import Curves, Faces, Ledger, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
 from app.quantities import TABLE, entered
@@ -84,12 +84,15 @@ def faults(found: LoadedStep) -> Faults:
             yield against, f"there is no readout {against!r} to compare with.{near(against, labels)}"
     if isinstance(step.plot, Faces) and not any(surface.mesh for surface in step.scene.surfaces):
         yield "Faces(", "the plot shows a mesh, and the scene has none."
+    if isinstance(step.plot, Ledger):
+        from app import ledger
+
+        yield from ledger.faults(step.plot)
 
 
 def value_faults(found: LoadedStep) -> Faults:
-    for name in shader.uniforms(found.step.scene.glsl):
-        if name not in TABLE and name not in DATA:
-            yield name, unknown_uniform(name)
+    for name in unknown_uniforms(found.step.scene):
+        yield name, unknown_uniform(name)
     for value in found.step.values:
         if value.name not in TABLE:
             yield f'"{value.name}"', f"there is no quantity {value.name}.{near(value.name, TABLE)}"
@@ -103,8 +106,7 @@ def value_faults(found: LoadedStep) -> Faults:
 def term_faults(found: LoadedStep) -> Faults:
     """Twins that do not exist, arguments that are neither given nor values; when all is known, what sets them."""
     step = found.step
-    named = [value.name for value in step.values] + list(shader.uniforms(step.scene.glsl))
-    whole = all(name in TABLE or name in DATA for name in named)
+    whole = all(value.name in TABLE for value in step.values) and not unknown_uniforms(step.scene)
     for where, term, swept in terms(step):
         if term.function not in names():
             whole = False
@@ -177,6 +179,12 @@ def scene_faults(found: LoadedStep) -> Faults:
     for name in scene.meshes:
         if name not in BUILT_IN:
             yield f'"{name}"', f"there is no mesh {name}.{near(name, BUILT_IN)}"
+    from app.tables import names as luminaires
+
+    for table in scene.tables:
+        for name in table.files:
+            if name not in luminaires():
+                yield f'"{name}"', f"there is no luminaire {name} in lessons/ies.{near(name, luminaires())}"
     if any(surface.mesh for surface in scene.surfaces) and not scene.meshes:
         yield "mesh=True", "a surface shows a mesh, and the scene names none in `meshes`."
 

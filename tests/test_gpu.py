@@ -98,6 +98,7 @@ REFUSED = {
                             "corners is one array"),
     "a mesh that is none": ("solid_angle_mesh", {"triangles": np.ones((4, 3)), "eye": (0, 0, 0)}, None,
                             r"triangles is one array of shape \('n', 3, 3\)"),
+    "a table that is none": ("ies_flux", {"table": np.ones(7)}, None, "table is one table of rows and columns"),
     "nothing returned": ("nothing", {"x": 1.0}, TEXT, "has the type void"),
     "a truth value": ("yes", {"x": 1.0}, TEXT, "has the type bool"),
 }

@@ -122,10 +122,11 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
             elif more.get("triangles") is not mesh:
                 stage.place(more.get("triangles"))
             mesh = more.get("triangles")
-            stage.draw(values, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
+            whole = values | more
+            stage.draw(whole, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
             assert not stage.faults(), f"{stage.faults()} at {values}"
-            assert np.all(np.isfinite(stage.probes(values)))
-            assert all(np.all(np.isfinite(point)) for point in stage.anchors(values).values())
+            assert np.all(np.isfinite(stage.probes(whole)))
+            assert all(np.all(np.isfinite(point)) for point in stage.anchors(whole).values())
     finally:
         if stage:
             stage.release()
@@ -135,7 +136,8 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
 @pytest.mark.parametrize("theme", THEMES)
 def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     values = defaults(found)
-    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), data(found, values).get("triangles"))
+    values |= data(found, values)
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     stage.draw(values, found.step.scene.camera, (192, 192), THEMES[theme])
     pixels = stage.pixels().reshape(-1, 3)
     stage.release()
@@ -144,6 +146,8 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     assert len(colours) > 20, "the picture is nearly of one colour"
 
 
+TWO_METRES = {"radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
+              "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
 QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
     ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
      {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
@@ -159,6 +163,49 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"distance": 2.0, "tilt": 0.0, "width": 1.2}),
     ("solid_angle/projected", "About 0.02 sr", 0.02, 0.005, "projected_solid_angle_patch",
      {"theta": math.pi / 2, "distance": 2.0, "tilt": 0.0, "width": 1.2}),
+    ("radiometry/energy_flux", "60 000 W", 60_000, 1, "radiant_flux_mean", {"radiant_energy": 60.0, "duration": 0.001}),
+    ("radiometry/radiant_intensity", "= 0.80 W/sr", 0.80, 0.005, "radiant_intensity_isotropic", {"radiant_flux": 10.0}),
+    ("radiometry/irradiance", "π = 3.14", 3.14, 0.005, "irradiance_cap", {"radiance": 1.0, "half_angle": math.pi / 2}),
+    ("radiometry/radiosity", "400/π = 127", 127, 0.5, "radiance_lambert", {"rho": 0.8, "irradiance": 500.0}),
+    ("radiometry/radiosity", "400/2π = 64", 64, 0.5, "radiance_lambert_over_hemisphere",
+     {"rho": 0.8, "irradiance": 500.0}),
+    ("radiometry/inverse_square", "[at five diameters](?radius=0.3&distance=3) the excess is one percent", 0.01, 1e-12,
+     "inverse_square_excess", {"radius": 0.3, "distance": 3.0}),
+    ("radiometry/inverse_square", "[half a diameter](?radius=0.7&distance=0.7) it is a hundred", 1.0, 1e-12,
+     "inverse_square_excess", {"radius": 0.7, "distance": 0.7}),
+    ("radiometry/local_only", "Five: 1 + 0.8", 5, 1e-12, "interreflection_gain", {"rho": 0.8}),
+    ("radiometry/ledger", "3000 lm / 4π sr = 239 cd", 239, 0.5, "bulb_luminous_intensity",
+     {"electrical_power": 100.0, "source_efficacy": 30.0}),
+    ("radiometry/ledger", "gets 38.2 lx", 38.2, 0.05, "bulb_illuminance",
+     {"electrical_power": 100.0, "source_efficacy": 30.0, "distance": 2.5}),
+    ("radiometry/eye", "95 lm/W, never more", 95, 0.5, "luminous_efficacy_planck", {"temperature": 6600.0}),
+    ("radiometry/eye", "from 400 to 700 nm: 251", 251, 0.5, "luminous_efficacy_band",
+     {"temperature": 5800.0, "wavelength_low": 400.0, "wavelength_high": 700.0}),
+    ("radiometry/eye", "its light worth 330", 330, 10, "luminous_efficacy_lamp", {"lamp": 1, "temperature": 3000.0}),
+    ("lights/sources", "100: the area is a hundredth", 100, 1e-9, "radiance_sphere",
+     {"radiant_flux": 4 * math.pi**2, "radius": 0.1}),
+    ("lights/positional", "100. At 1 cm 10 000", 10_000, 1e-6, "irradiance_positional",
+     {"radiant_intensity": 1.0, "distance": 0.01, "theta": 0.0, "source_radius": 0.001}),
+    ("lights/positional", "at 1 m it already gives half", 0.5, 1e-3, "windowed_falloff",
+     {"distance": 1.0, "reach": 10.0}),
+    ("lights/directional", "0.20: a fifth", 0.2, 0.005, "falloff_error", {"distance": 5.0, "offset": 2.0}),
+    ("lights/directional", "to 21 digits", 4e-22, 3e-23, "falloff_error", {"distance": 1.496e11, "offset": 2.5}),
+    ("lights/distribution", "2.5 W/sr", 2.5, 1e-12, "radiant_intensity_of",
+     {"radiant_flux": math.pi, "distribution": 2, "exponent": 4.0, "theta": 0.0}),
+    ("lights/spot", "100 W/sr: 61 W", 61, 0.5, "spot_flux",
+     {"radiant_intensity": 100.0, "hotspot": math.radians(20), "falloff": math.radians(30)}),
+    ("lights/spot", "15.5 W: a quarter", 15.5, 0.05, "spot_flux",
+     {"radiant_intensity": 100.0, "hotspot": math.radians(10), "falloff": math.radians(15)}),
+    ("lights/area_sampled", "gets 26 W/m²", 26, 0.5, "irradiance_panel", TWO_METRES),
+    ("lights/area_sampled", "160, six times too much", 160, 1e-9, "irradiance_panel_centre", TWO_METRES),
+    ("lights/area_sampled", "26 becomes 37 W/m²", 37, 0.5, "irradiance_panel_without_cosine",
+     TWO_METRES | {"level": 6}),
+    ("lights/area_exact", "gives 0.79 W/m²", 0.79, 0.005, "irradiance_sphere_light",
+     {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": 0.0}),
+    ("lights/area_exact", "0.091", 0.091, 5e-4, "irradiance_sphere_light",
+     {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
+    ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
+     TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
 ]
 
 
@@ -190,6 +237,8 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("solid_angle/patch", "solid_angle_patch", "solid_angle_patch_counted", {"samples": 60000}, 3e-3),
     ("solid_angle/cone", "solid_angle_cone", "solid_angle_cone_naive", {}, 1e-6),
     ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
+    ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
+    ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
 ]
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.catalog import step, steps
+from app.export.still import data
 from app.lesson import Readout, Step, Term
 from app.meshes import built_in
 from app.problem import Problem
@@ -23,8 +24,7 @@ def with_readouts(*readouts: Readout) -> Step:
 @pytest.mark.parametrize("found", steps(), ids=lambda found: found.id)
 def test_every_step_has_numbers_with_units_and_digits(found, ctx):
     values = defaults(found)
-    if found.step.scene.meshes:
-        values["triangles"] = built_in(found.step.scene.meshes[0]).triangles
+    values |= data(found, values)
     shown = numbers(found.step, values, ctx)
     assert [n.label for n in shown] == [r.label for r in found.step.readouts]
     for number, readout in zip(shown, found.step.readouts, strict=True):

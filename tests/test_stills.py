@@ -347,7 +347,7 @@ def test_without_opengl_the_gallery_says_so_once_and_at_once(tmp_path):
 
 def test_the_folder_is_named_by_the_option_or_the_environment(tmp_path, monkeypatch):
     asked = []
-    monkeypatch.setattr(gallery, "gallery", lambda folder, theme, mesh: asked.append((folder, theme.name)) or 0)
+    monkeypatch.setattr(gallery, "gallery", lambda folder, theme, mesh, ies: asked.append((folder, theme.name)) or 0)
     monkeypatch.setenv(gallery.VARIABLE, str(tmp_path / "a"))
     assert gallery.run(SimpleNamespace(theme="")) == 0
     assert gallery.run(SimpleNamespace(theme="light", output=tmp_path / "b")) == 0

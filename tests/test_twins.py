@@ -7,6 +7,7 @@ from app import optics, shader
 from app.gpu.context import program
 from app.gpu.evaluate import WIDTH, evaluate, point_program
 from app.quantities import TABLE
+from app.tables import built_in
 from app.tolerance import FACTOR, ratio
 
 CATALOGUE = shader.catalogue()
@@ -100,14 +101,65 @@ def unit(a: dict, rng) -> dict:
     return a | {"towards": f32(a["towards"] / np.linalg.norm(a["towards"], axis=-1, keepdims=True))}
 
 
+def in_front(a: dict, rng) -> dict:
+    """A rectangle, its far end at most 30 distances to the side."""
+    a = a | {name: a[name] + 1e-3 for name in ("x1", "y1") if name in a}
+    used = set(a)
+    a = in_order({"x0": a["y0"], "x1": a["y1"]} | a, rng)
+    ends = [a[k] for k in ("x", "x0", "x1", "y0", "y1") if k in a]
+    a = a | {"distance": f32(np.maximum(a["distance"], np.max(np.abs(ends), 0) / 30))}
+    return {name: a[name] for name in a if name in used}
+
+
+def with_an_end(a: dict, rng) -> dict:
+    """A solid angle that a part of the strip has."""
+    a = in_front(a | {"x": draw("x", rng)}, rng)
+    return {"strip": f32(optics.twin("strip_angle")(**{k: a[k] for k in ("x", "y0", "y1", "distance")}))} | {
+        k: a[k] for k in ("y0", "y1", "distance")}
+
+
+def not_along_the_panel(a: dict, rng) -> dict:
+    """Even in solid angle only where no part of the panel is seen more than ten times as far aside as in front."""
+    view = ("light_x", "light_y", "light_height", "panel_tilt", "position")
+    seen = np.abs(optics.twin("panel_view")(**{k: a[k] for k in view}))
+    aside = np.maximum(seen[:, 0] + a["panel_width"], seen[:, 1] + a["panel_depth"])
+    a = a | {"sampling": np.where(aside > 10 * seen[:, 2], a["sampling"] % 4, a["sampling"])}
+    return a | {"index": a["index"] % 4 ** a["level"]} if "index" in a else a
+
+
+def of_its_level(a: dict, rng) -> dict:
+    return a | {"index": a["index"] % 4 ** a["level"]}
+
+
+def with_a_normal(a: dict, rng) -> dict:
+    return a | {"normal": f32(a["normal"] / np.linalg.norm(a["normal"], axis=-1, keepdims=True))}
+
+
 def not_too_near(a: dict, rng) -> dict:
     """The corners of the square are known to u times its width: its plane may not pass the eye much closer."""
     return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"] * np.abs(np.cos(a["tilt"]))))}
 
 
+def opened(a: dict, rng) -> dict:
+    """A cone that is neither shut nor flat: what is divided by its solid angle, or reaches to a wall."""
+    return a | {"half_angle": f32(np.clip(a["half_angle"], 1e-4, 1.5))}
+
+
 JOINT = {  # arguments that belong together
     "fibonacci_direction": below_samples,
+    "ies_ring_flux": between_the_poles,
+    "gauss_sample": of_its_level,
+    "grid_sample": of_its_level,
+    "irradiance_at": with_a_normal,
+    "irradiance_panel_sampled": not_along_the_panel,
+    "light_sample": of_its_level,
+    "panel_sample": not_along_the_panel,
+    "stratified_sample": of_its_level,
     "meets_patch": unit,
+    "radiance_sensor": opened,
+    "radiance_sensor_projected": opened,
+    "radiance_twice_as_far": opened,
+    "radiant_intensity_cone": opened,
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
     "solid_angle_cell": between_the_poles,
@@ -116,6 +168,10 @@ JOINT = {  # arguments that belong together
     "solid_angle_rectangle_beside": beside,
     "solid_angle_rectangle_off_axis": in_order,
     "solid_angle_triangle": shrunk,
+    "spherical_rectangle_point": in_front,
+    "strip_across": in_front,
+    "strip_angle": in_front,
+    "strip_end": with_an_end,
     "solid_angle_triangle_edges": nearest_first,
     "solid_angle_triangle_signed": shrunk,
 }
@@ -125,7 +181,9 @@ def arguments(name: str, rng: np.random.Generator, count: int = POINTS) -> dict:
     signature = CATALOGUE[name][1]
     args = {}
     for arg in signature.args:
-        if arg.type == "sampler2D":
+        if arg.name == "table":
+            args[arg.name] = f32(built_in("corner").table)
+        elif arg.type == "sampler2D":
             args[arg.name] = f32(cube() + 0.25)
         elif arg.size:
             args[arg.name] = planar(rng)
@@ -197,6 +255,7 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
     | {"corner_count": np.array(5), "size": f32(1e-4), "distance": f32(1.0), "x": f32([0.3, 0.1, -0.2]), "y": f32(0.2)},
     "projected_solid_angle_sphere_naive": {"radius": f32(1.0), "distance": f32([10.0, 100.0]),
                                            "theta": f32([1.55, 1.57])},
+    "planck_radiance_naive": {"wavelength": f32([1e5, 1e6, 1e5]), "temperature": f32([1e5, 1e5, 2e4])},
     "projected_solid_angle_disk_naive": {"radius": f32(1.0), "height": f32([30.0, 100.0]), "offset": f32(0.5)},
 }
 

@@ -297,3 +297,46 @@ def test_the_window_loads_neither_vtk_nor_trimesh_nor_pillow():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip().endswith("[]"), done.stdout
+
+
+def test_a_luminaire_is_dropped_and_a_bad_one_explained(tmp_path):
+    from app.tables import FOLDER, built_in
+
+    good, bad = tmp_path / "mine.IES", tmp_path / "short.ies"
+    text = (FOLDER / "flood.ies").read_bytes()
+    good.write_bytes(text)
+    bad.write_bytes(text[:-300])
+
+    def test(engine, window):
+        window.dropped.append(str(bad))
+        frames(engine)
+        assert "short.ies, line" in window.message and window.session.current.id == "solid_angle/patch"
+        window.dropped.append(str(good))
+        frames(engine, 4)
+        assert window.session.current.id == "lights/ies" and "mine.IES: LM-63-2002" in window.message
+        assert not window.fault and np.array_equal(window.values["table"], built_in("flood").table)
+        shown = {n.label: n for n in window.numbers()}
+        assert math.isclose(shown["integrated"].value, built_in("flood").integrated_lumens)
+        until(engine, window, lambda: window.plot.of == "lights/ies")
+        assert not window.plot.fault
+        before = on_gl(engine, window, window.scene.stage.pixels)
+        engine.item_click("//Scene/up##luminaire")
+        frames(engine, 4)
+        assert window.ies is None and window.values["table"] is built_in("uplight").table
+        assert (on_gl(engine, window, window.scene.stage.pixels) != before).any()
+        window.reveal()
+        assert math.isclose(window.session.answer.truth, built_in("bare").integrated_lumens)
+
+    drive(test)
+
+
+def test_an_absolute_luminaire_declares_nothing(tmp_path):
+    from app.tables import FOLDER
+
+    def test(engine, window):
+        window.take_file(str(FOLDER / "headlamp.ies"))
+        frames(engine, 4)
+        shown = {n.label: n for n in on_gl(engine, window, window.numbers)}
+        assert shown["declared"].text == "none: absolute" and not shown["declared"].error_text
+
+    drive(test)

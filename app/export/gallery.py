@@ -14,7 +14,7 @@ from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
-from app.export.still import data, known, plotted, png, shot, version
+from app.export.still import data, known, luminaires, plotted, png, shot, version
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers
@@ -29,15 +29,15 @@ Advance = Callable[[str], None]
 
 
 def run(options) -> int:
-    """options, all of them optional: output (a folder), theme, mesh."""
+    """options, all of them optional: output (a folder), theme, mesh, ies."""
     folder = target.make_folder(getattr(options, "output", None) or os.environ.get(VARIABLE) or FOLDER)
     theme = THEMES[known("--theme", getattr(options, "theme", None) or "dark", tuple(THEMES))]
     context()  # without OpenGL there is not one picture: said once, at once
-    return gallery(folder, theme, mesh=getattr(options, "mesh", None))
+    return gallery(folder, theme, mesh=getattr(options, "mesh", None), ies=getattr(options, "ies", None))
 
 
 def gallery(folder: Path, theme: Theme = THEMES["dark"], found: tuple[Loaded, ...] | None = None,
-            mesh: str | Path | None = None, scale: float = 1.0) -> int:
+            mesh: str | Path | None = None, scale: float = 1.0, ies: str | Path | None = None) -> int:
     """Renders the chapters into the folder; the code is 1 if a step is broken or the work was broken off."""
     found = chapters() if found is None else found
     todo = [LoadedStep(loaded, step, i) for loaded in found for i, step in enumerate(loaded.chapter.steps)]
@@ -48,7 +48,7 @@ def gallery(folder: Path, theme: Theme = THEMES["dark"], found: tuple[Loaded, ..
         with progress(len(todo)) as advance:
             for one in todo:
                 advance(one.step.title)
-                done[one.id] = rendered(one, folder, theme, mesh, scale)
+                done[one.id] = rendered(one, folder, theme, mesh, scale, ies)
             advance("")
     except KeyboardInterrupt:
         stopped = True
@@ -66,7 +66,7 @@ def gallery(folder: Path, theme: Theme = THEMES["dark"], found: tuple[Loaded, ..
 
 
 def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | None = None,
-             scale: float = 1.0) -> Shown:
+             scale: float = 1.0, ies: str | Path | None = None) -> Shown:
     """One step: its scene, its plot, its numbers, its answer, and a small picture for each link of its prose.
 
     What fails is said, and the rest is done all the same.
@@ -84,7 +84,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
     def values() -> dict:
         first = defaults(found)
         own = mesh if any(surface.mesh for surface in found.step.scene.surfaces) else None
-        return first | data(found, first, own)
+        return first | data(found, first, own, ies if found.step.scene.tables else None)
 
     def scene() -> None:
         shown.state = write(found, start)
@@ -97,7 +97,8 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
 
     def figures() -> None:
         shown.numbers = numbers(found.step, start, context())
-        shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"})
+        shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"},
+                                       **luminaires(found, prediction.truth_values(found)))
 
     def tries() -> None:
         for i, link in enumerate(state_links(found)):

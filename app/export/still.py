@@ -31,7 +31,7 @@ FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene f
 
 
 def run(options) -> int:
-    """options: step (a state string), output, size, set (name=value, ...), view, theme, mesh."""
+    """options: step (a state string), output, size, set (name=value, ...), view, theme, mesh, ies."""
     path, size = target.picture_path(options.output), target.size_of(options.size or "1280x720")
     theme = THEMES[known("--theme", options.theme or "dark", tuple(THEMES))]
     part: Part = known("--view", options.view or "scene", PARTS)  # type: ignore[assignment]
@@ -40,7 +40,7 @@ def run(options) -> int:
     values = dict(state.values)
     for text in options.set or ():
         values |= parse_set(text, found)
-    values |= data(found, values, options.mesh)
+    values |= data(found, values, options.mesh, getattr(options, "ies", None))
     picture = still(found, values, state.view, size, theme, part)
     target.write(path, png(picture, found, write(found, values, state.view)))
     return 0
@@ -52,8 +52,25 @@ def known(option: str, name: str, names: tuple[str, ...]) -> str:
     return name
 
 
-def data(found: LoadedStep, values: dict, mesh: str | Path | None = None) -> dict:
-    """What a step needs besides its sliders: the triangles of its mesh, its own or the user's."""
+def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None) -> dict:
+    """What a step needs besides its sliders: the triangles of its mesh and its tables, its own or the user's."""
+    return triangles(found, values, mesh) | luminaires(found, values, ies)
+
+
+def luminaires(found: LoadedStep, values: dict, ies: str | Path | None = None) -> dict:
+    """The tables of measured luminaires."""
+    scene = found.step.scene
+    if not scene.tables:
+        if ies:
+            raise Usage(f"{found.id} has no luminaire that {ies} could replace; lights/ies has one.")
+        return {}
+    from app import tables
+    from app.ies import read
+
+    return tables.chosen(scene, values, read(ies) if ies else None)
+
+
+def triangles(found: LoadedStep, values: dict, mesh: str | Path | None = None) -> dict:
     scene = found.step.scene
     if not any(surface.mesh for surface in scene.surfaces):
         if mesh:
@@ -137,7 +154,7 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
     """The step's plot, drawn by the plots' own process."""
     from app import plots
 
-    sliders = {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
+    sliders = {name: value for name, value in values.items() if name != "triangles"}
     ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
     return Image.fromarray(plots.picture(found.step.plot, sliders, size, theme, ranges,
                                          triangles=values.get("triangles")))

@@ -17,8 +17,8 @@ TEXTURE_TRIANGLES = 256  # triangles in a row of a mesh texture
 def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.Context | None = None) -> np.ndarray:
     """float32 values of a function of glsl/optics (or of `text`) at broadcast arguments; int32 of one that returns int.
 
-    args: name -> array; scalars (...), vectors (..., 2|3|4), arrays of corners (n, 2|3|4), meshes (faces, 3, 3).
-    Returns (...) for float, (..., 3) for vec3. An array argument and a mesh are the same for all points.
+    args: name -> array; scalars (...), vectors (..., 2|3|4), arrays of corners (n, 2|3|4), meshes (faces, 3, 3), tables
+    (rows, columns). Returns (...) for float, (..., 3) for vec3. Arrays, meshes and tables are the same for all points.
     """
     include, signature = find(function, text)
     source, varying, fixed = point_program(signature, include if text is None else None, text)
@@ -62,6 +62,10 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
     if arg.name not in args:
         raise Usage(f"{function} needs {arg.name}.{near(arg.name, args)}")
     data = np.asarray(args[arg.name], np.int32 if arg.type == "int" else np.float32)
+    if arg.type == "sampler2D" and arg.name != "triangles":
+        if data.ndim != 2:
+            raise Usage(f"{function}: {arg.name} is one table of rows and columns for all points, not {data.shape}.")
+        return data
     tail: tuple[int, ...] = (3, 3) if arg.type == "sampler2D" else (WIDTH[arg.type],) if WIDTH[arg.type] > 1 else ()
     if arg.type == "sampler2D" or arg.size:
         if data.ndim != len(tail) + 1 or data.shape[1:] != tail:
@@ -107,7 +111,7 @@ def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument
     if name not in feedback:
         return None
     if arg.type == "sampler2D":
-        texture = mesh_texture(ctx, np.asarray(given))
+        texture = data_texture(ctx, np.asarray(given))
         texture.use(0)
         feedback[name] = 0
         return texture
@@ -116,6 +120,20 @@ def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument
     uniform = cast(moderngl.Uniform, feedback[name])
     uniform.write(padded[:uniform.array_length].tobytes())
     return None
+
+
+def data_texture(ctx: moderngl.Context, data: np.ndarray) -> moderngl.Texture:
+    """Constant data as a float texture to be read by texelFetch: a mesh (faces, 3, 3), or a table (rows, columns),
+    whose number at [row, column] is texel (column, row)."""
+    if data.ndim == 3:
+        return mesh_texture(ctx, data)
+    rows, columns = data.shape
+    limit = ctx.info["GL_MAX_TEXTURE_SIZE"]
+    if max(rows, columns) > limit:
+        raise Problem(f"a table of {rows} x {columns} numbers is larger than this OpenGL can hold ({limit} a side).")
+    texture = ctx.texture((columns, rows), 1, np.ascontiguousarray(data, "f4").tobytes(), dtype="f4")
+    texture.filter = moderngl.NEAREST, moderngl.NEAREST
+    return texture
 
 
 def mesh_texture(ctx: moderngl.Context, triangles: np.ndarray) -> moderngl.Texture:

@@ -9,7 +9,7 @@ import numpy as np
 from app import camera as orbit
 from app.colormaps import STOPS
 from app.gpu.context import pixel, program
-from app.gpu.evaluate import mesh_texture
+from app.gpu.evaluate import data_texture
 from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.problem import Problem
@@ -76,7 +76,7 @@ class Stage:
         self.target_parts: list = []
         self.faults_only: dict[moderngl.Framebuffer, moderngl.Framebuffer] = {}
         self.fine: moderngl.Framebuffer | None = None
-        self.mesh_texture: moderngl.Texture | None = None
+        self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
         with ctx:
             self.compile(None)
             self.place(triangles)
@@ -99,9 +99,31 @@ class Stage:
                 self.keep(f"surface {i}", "2f", "stage_st", *grid(surface.cells))
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
-                self.mesh_texture = self.mesh_texture or mesh_texture(self.ctx, triangles)
+                self.hold("triangles", triangles)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
+
+    def hold(self, uniform: str, data: np.ndarray) -> None:
+        """Constant data the scene reads by texelFetch; sent once as long as it is the same array."""
+        held = self.data.get(uniform)
+        if held is None or held[0] is not data:
+            if held:
+                held[1].release()
+            self.data[uniform] = data, data_texture(self.ctx, data)
+
+    def take_tables(self, values: dict) -> None:
+        """The scene's tables among the values, by the names of their uniforms."""
+        for table in self.scene.tables:
+            if table.uniform in values:
+                self.hold(table.uniform, values[table.uniform])
+            elif table.uniform not in self.data:
+                raise Problem(f"the scene needs the table {table.uniform}, and it is not among its values.")
+
+    def bind_data(self, use: moderngl.Program) -> None:
+        for unit, (uniform, (_, texture)) in enumerate(self.data.items()):
+            if uniform in use:
+                texture.use(unit)
+                give(use, **{uniform: unit})
 
     def keep(self, name: str, layout: str, attribute: str, corners: np.ndarray,
              indices: np.ndarray | None = None) -> None:
@@ -123,6 +145,7 @@ class Stage:
         with self.ctx:
             self.resize(size)
             target = self.fine_target() if fine and self.ctx.max_samples >= SAMPLES else self.shown
+            self.take_tables(values)
             self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
@@ -175,6 +198,7 @@ class Stage:
         ctx.enable(moderngl.BLEND)
         ctx.blend_func = OVER
         if "dots" in self.programs:
+            self.bind_data(self.programs["dots"])
             self.array("dots").render(moderngl.POINTS, self.dot_count(values))
         for i, mark in enumerate(self.scene.marks):
             self.paint_mark(i, mark)
@@ -191,14 +215,14 @@ class Stage:
             return
         name = f"{program_of(surface)} {suffix or i}"
         name = name if name in self.programs else program_of(surface)
-        if self.mesh_texture is not None:
-            self.mesh_texture.use(0)
+        self.bind_data(self.programs[name])
         give(self.programs[name], surface=i, opacity=surface.opacity)
         self.array(name, f"surface {i}").render()
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
         steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
+        self.bind_data(self.programs["mark"])
         give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour),
              dash=LINES.index(mark.line), tip=TIPS.index(mark.tip), line_width=width,
              tip_size=TIP_SIZE[mark.tip] * width)
@@ -223,17 +247,19 @@ class Stage:
         wanted = [*(label.probe for label in self.scene.labels), *(handle.probe for handle in self.scene.handles)]
         if not wanted:
             return np.zeros((0, 4))
-        return self.transform("probe", max(wanted) + 1, **on_gpu(values))
+        return self.transform("probe", max(wanted) + 1, **values)
 
     def anchors(self, values: dict) -> dict[str, np.ndarray]:
         """Where each mark's label stands: name -> point in the world."""
-        return {mark.name: self.transform("anchor", 1, mark=i, mark_t=mark.label_at, **on_gpu(values))[0, :3]
+        return {mark.name: self.transform("anchor", 1, mark=i, mark_t=mark.label_at, **values)[0, :3]
                 for i, mark in enumerate(self.scene.marks) if mark.label}
 
     def transform(self, name: str, count: int, **given) -> np.ndarray:
         with self.ctx:
             use = self.programs[name]
-            give(use, **given)
+            self.take_tables(given)
+            self.bind_data(use)
+            give(use, **on_gpu(given))
             before, out = self.ctx.fbo, self.ctx.buffer(reserve=16 * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
@@ -264,9 +290,9 @@ class Stage:
             data[0].release()
             if indices is not None:
                 indices.release()
-        if self.mesh_texture is not None:
-            self.mesh_texture.release()
-        self.arrays, self.geometry, self.mesh_texture = {}, {}, None
+        for _, texture in self.data.values():
+            texture.release()
+        self.arrays, self.geometry, self.data = {}, {}, {}
 
     def release_targets(self) -> None:
         for whole, alone in self.faults_only.items():

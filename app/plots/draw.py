@@ -10,10 +10,11 @@ if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, whi
 import numpy as np
 import pyvista as pv
 
-from app.lesson import Camera, Curves, Faces, Figure, Plot
+from app.lesson import Camera, Curves, Faces, Figure, Ledger, Plot
 from app.plots.curves import CurvesPart
 from app.plots.faces import FacesPart
 from app.plots.figure import FigurePart
+from app.plots.ledger import LedgerPart
 from app.plots.look import Look
 from app.plots.words import header, line_of_words, noticed
 from app.theme import Theme
@@ -84,6 +85,8 @@ def part(plot: Plot, look: Look, triangles: np.ndarray | None, ranges: dict):
         return FigurePart(plot, look)
     if isinstance(plot, Faces):
         return FacesPart(plot, look, triangles)
+    if isinstance(plot, Ledger):
+        return LedgerPart(plot, look)
     raise TypeError(f"{type(plot).__name__} is not a plot")
 
 

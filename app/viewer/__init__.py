@@ -17,6 +17,7 @@ def run(options: argparse.Namespace) -> int:
         getattr(options, "mesh", None),
         getattr(options, "theme", "") or "",
         getattr(options, "size", None) or (1280, 720),
+        ies=getattr(options, "ies", None),
     )
     if formulas == "missing":
         window.message = "Formulas cannot be typeset here: run `halfway doctor`, it prints the command that mends it."

@@ -1,9 +1,10 @@
 """The plot beside the scene: wished for when something changed, drawn by a process of its own, shown when it comes."""
 
 import moderngl
+import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves
+from app.lesson import Camera, Curves, Ledger
 from app.plots import PlotDied, PlotProcess
 from app.problem import Problem
 from app.theme import rgb
@@ -58,7 +59,8 @@ class PlotPanel:
         camera = self.cameras.get(found.id)
         triangles = values.get("triangles")
         shown = {k: v for k, v in values.items() if k != "triangles"}
-        wanted = found.id, shown, size, theme.name, camera, id(triangles)
+        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
+        wanted = found.id, known, size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
@@ -110,7 +112,7 @@ class PlotPanel:
     def turn(self) -> None:
         """A plot in space is turned like the scene."""
         found = self.app.session.current
-        if isinstance(found.step.plot, Curves):
+        if isinstance(found.step.plot, Curves | Ledger):
             return
         from dataclasses import replace
 

@@ -46,8 +46,7 @@ class ScenePanel:
         camera = view.camera(self.stage.scene.camera)
         wanted = (
             size,
-            {k: v for k, v in values.items() if k != "triangles"},
-            id(values.get("triangles")),
+            {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()},
             view,
             theme.name,
         )

@@ -11,11 +11,14 @@ from pathlib import Path
 import numpy as np
 from imgui_bundle import ImVec2, hello_imgui, imgui, immapp, rich_md
 
+from app import tables
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.ies import Photometry, read
 from app.lesson import Number, Prediction
 from app.meshes import Mesh, built_in, load
 from app.paths import LESSONS
+from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
 from app.readouts import numbers
@@ -45,6 +48,7 @@ class Window:
         theme: str = "",
         size: tuple[int, int] = (1280, 720),
         folder: Path = LESSONS,
+        ies: str | None = None,
     ):
         self.progress = Progress()
         self.session = Session(start, self.progress, folder)
@@ -52,21 +56,24 @@ class Window:
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
         self.styled: tuple | None = None
-        self.show_welcome = not start and mesh is None
+        self.show_welcome = not start and mesh is None and ies is None
         self.show_outline = self.show_help = self.show_notes = False
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
         self.mesh: Mesh | None = None  # the user's own, in place of the scene's
         self.triangles: np.ndarray | None = None
+        self.ies: Photometry | None = None  # the user's own luminaire, in place of the scene's
+        self.tables: dict[str, np.ndarray] = {}
         self.placed: tuple = ()  # the step and the mesh on the stage
         self.fault = ""  # why this step has no picture
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
+        self.lamp = 0  # that was chosen when the user's luminaire came
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
-        if mesh:
-            self.take_mesh(mesh)
+        for path in filter(None, (mesh, ies)):
+            self.take_file(path)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
@@ -95,7 +102,7 @@ class Window:
             self.styled = self.theme.name, size.y
         self.frame += 1
         for path in self.dropped[:1]:
-            self.take_mesh(path)
+            self.take_file(path)
         self.dropped.clear()
         press(self)
         if self.show_welcome:
@@ -238,9 +245,11 @@ class Window:
 
     def reveal(self) -> None:
         self.session.freeze(False)
-        truth = self.session.current.step.ask.sets.get("shape")
+        found = self.session.current
+        truth = found.step.ask.sets.get("shape")
         mesh = self.mesh_named(int(truth)) if isinstance(truth, int | float) else self.triangles
-        self.session.reveal(**({} if mesh is None else {"triangles": mesh}))
+        data = tables.chosen(found.step.scene, truth_values(found))
+        self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
 
     def set_value(self, name: str, value: Number) -> None:
         try:
@@ -266,15 +275,35 @@ class Window:
     # --- what is shown -----------------------------------------------------------------------------------------------
     @property
     def values(self) -> dict:
-        """The step's values; a mesh step's also carry its triangles."""
-        return self.session.values if self.triangles is None else {**self.session.values, "triangles": self.triangles}
+        """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
+        mesh = {} if self.triangles is None else {"triangles": self.triangles}
+        return {**self.session.values, **self.tables, **mesh}
 
     def numbers(self) -> list:
-        key = self.session.current.id, self.session.revision, id(self.triangles)
+        key = self.session.current.id, self.session.revision, id(self.triangles), *map(id, self.tables.values())
         if self.figures[0] != key:
             self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
             self.ctx.screen.use()
         return self.figures[1]
+
+    def take_file(self, path: str) -> None:
+        """A file that was dropped or named: a luminaire by its ending, else a mesh."""
+        if Path(path).suffix.lower() == ".ies":
+            self.take_ies(path)
+        else:
+            self.take_mesh(path)
+
+    def take_ies(self, path: str) -> None:
+        """The user's own luminaire, in a step that has one."""
+        try:
+            found = read(path)
+            if not self.session.current.step.scene.tables:
+                self.session.go(next(s.id for s in self.session.steps if s.step.scene.tables))
+            self.ies, self.lamp = found, int(self.session.values.get("luminaire", 0))  # type: ignore[arg-type]
+            self.message = found.summary
+            self.show_welcome = False
+        except Problem as problem:
+            self.message = str(problem)
 
     def take_mesh(self, path: str) -> None:
         """The user's own mesh, in the step about meshes."""
@@ -293,6 +322,9 @@ class Window:
     def set_stage(self) -> None:
         """A stage for the step that is shown, with its mesh; made again when either changes."""
         found = self.session.current
+        if self.ies is not None and self.session.values.get("luminaire", self.lamp) != self.lamp:
+            self.ies = None  # a luminaire was chosen: back to the scene's own
+        self.tables = tables.chosen(found.step.scene, self.session.values, self.ies)
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
         shape = int(self.session.values.get("shape", 0)) if is_mesh else -1  # type: ignore[arg-type]
         wanted = found.id, shape, id(self.mesh) if is_mesh else 0

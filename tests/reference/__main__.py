@@ -14,7 +14,7 @@ import numpy as np
 
 from app.gpu.evaluate import evaluate
 from app.problem import Problem, Usage
-from app.tolerance import FACTOR, TERMS, U, ratio
+from app.tolerance import FACTOR, TERMS, U, moved, ratio
 from tests.reference.mapping import Twin, mapped
 
 
@@ -55,7 +55,8 @@ def stored_ratio(twin: Twin, args: dict, value: float, cond: float) -> float:
 
     got = float(function(twin.function)(**args))
     terms = float(TERMS[twin.function](**args)) if twin.function in TERMS else 0.0
-    cost = U["float64"] * ((1 + (0.0 if np.isnan(cond) else cond)) * abs(value) + terms)
+    change = float(moved(twin.function, args)) if np.isnan(cond) else cond * abs(value)  # not stored: measured here
+    cost = U["float64"] * (abs(value) + change + terms)
     if got == value:
         return 0.0
     return abs(got - value) / cost if cost > 0 and np.isfinite(got) else np.inf

@@ -28,6 +28,20 @@ MAPPING = {  # a name, or the beginning of names up to a dot
         "projected_solid_angle_wall", {"d": "distance", "b": "width", "h": "height"}),
     "projected_solid_angle.rect_clipped_by_horizon": Twin("projected_solid_angle_polygon", {"P": "corners"}),
     "projected_solid_angle.triangle": Twin("projected_solid_angle_polygon", {"P": "corners"}),
+    # radiometry and photometry
+    "irradiance.point": Twin("irradiance_point", {"I": "radiant_intensity", "d": "distance"}),
+    "photometry.intensity_isotropic": Twin("luminous_intensity_isotropic", {"Phi": "luminous_flux"}),
+    "photometry.illuminance_bulb_2p5m": Twin(
+        "illuminance_isotropic", {"Phi": "luminous_flux", "d": "distance"}, {"theta": 0.0}),
+    "photometry.lambert_exitance": Twin("radiant_exitance_lambert", {"L": "radiance"}),
+    "photometry.candela_watts_per_sr_540THz": Twin("radiant_intensity_540thz", fixed={"luminous_intensity": 1.0}),
+    "colour.linear_to_srgb": Twin("linear_to_srgb", {"x": "linear"}),
+    "colour.srgb_to_linear": Twin("srgb_to_linear", {"x": "encoded"}),
+    "light.spot_linear_cos": Twin("spot_linear_cos", {"cosang": "cosine", "H": "hotspot", "F": "falloff"}),
+    "light.spot_flux": Twin("spot_flux", {"I0": "radiant_intensity", "H": "hotspot", "F": "falloff"}),
+    "filter.toksvig_exponent": Twin("toksvig_exponent", {"Na_len": "normal_length", "n": "exponent"}),
+    "filter.vmf_mean_length": Twin("vmf_mean_length"),
+    "light.windowed_falloff_karis": Twin("windowed_falloff", {"d": "distance", "r": "reach"}),
 }
 
 
