@@ -51,5 +51,5 @@ vec3 shade(Surface s) {
         Surface("disk", cells=(96, 6)),
         Surface("dome", cells=(64, 24), opacity=0.16),
     ),
-    camera=Camera(azimuth=-60, elevation=24, distance=6.6, target=(0.0, 0.0, 0.55)),
+    camera=Camera(azimuth=-60, elevation=24, distance=7.6, target=(0.0, 0.0, 0.5)),
 )

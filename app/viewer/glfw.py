@@ -30,6 +30,7 @@ def library() -> ctypes.CDLL:
         getattr(lib, function).restype = Pointer
     lib.glfwGetProcAddress.argtypes = [ctypes.c_char_p]
     lib.glfwMakeContextCurrent.argtypes = [Pointer]
+    lib.glfwSetWindowSizeLimits.argtypes = [Pointer, *[ctypes.c_int] * 4]
     lib.glfwSetDropCallback.argtypes = [Pointer, DropCallback]
     return lib
 
@@ -88,6 +89,12 @@ class WindowContext:
 
 def create_context() -> moderngl.Context:
     return moderngl.create_context(require=330, context=WindowContext())  # type: ignore[arg-type]
+
+
+def least_size(width: int, height: int) -> None:
+    """The current window gets no smaller than its columns need. (GLFW's null platform takes the least for the size.)"""
+    if has_display():
+        library().glfwSetWindowSizeLimits(library().glfwGetCurrentContext(), width, height, -1, -1)
 
 
 def on_drop(take: Callable[[list[str]], None]) -> object:

@@ -98,12 +98,13 @@ class ScenePanel:
         assert self.stage is not None
         scene = self.stage.scene
         for label in scene.labels:
-            self.word(label.text, colour(label.colour, theme), self.points[f"label {label.text}"], corner, room, theme)
+            point = self.points[f"label {label.text}"]
+            self.word(label.text, style.ink(label.colour, theme), point, corner, room, theme)
         for mark in scene.marks:
             if mark.label:
                 self.word(
                     mark.label,
-                    colour(mark.colour, theme),
+                    style.ink(mark.colour, theme),
                     self.points[f"mark {mark.name}"],
                     corner,
                     room,

@@ -31,9 +31,13 @@ def draw(app) -> None:
     found, theme = app.session.current, app.theme
     step = found.step
     heading(f"{found.loaded.number}.{found.index + 1}  {step.title}", 1.35)
-    imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
-    imgui.text_wrapped(step.idea)
-    imgui.pop_style_color()
+    large = theme.name == "projector"  # fewer things, and what a class is asked first
+    if large:
+        question(app, step, theme)
+    else:
+        imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
+        imgui.text_wrapped(step.idea)
+        imgui.pop_style_color()
     imgui.spacing()
     base = imgui.get_style().font_size_base
     text = prose(step.prose, theme.name, base, round(imgui.get_content_region_avail().x))
@@ -41,8 +45,9 @@ def draw(app) -> None:
     rich_md.render_raw(text)
     imgui.pop_font()
     imgui.spacing()
-    question(app, step, theme)
-    imgui.spacing()
+    if not large:
+        question(app, step, theme)
+        imgui.spacing()
     if app.show_notes:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
     elif imgui.tree_node("Where this comes from"):

@@ -37,6 +37,7 @@ FIXED = (
     | imgui.WindowFlags_.no_bring_to_front_on_focus
 )
 THEME_ORDER = tuple(THEMES)
+LEAST = 960, 540  # pixels: below, the columns would overlap
 SAVE_EVERY = 5.0  # seconds
 
 
@@ -79,6 +80,7 @@ class Window:
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
         self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
+        glfw.least_size(*LEAST)
         self.drop_callback = glfw.on_drop(self.dropped.extend)
         imgui.get_io().config_flags |= imgui.ConfigFlags_.nav_enable_keyboard
 
