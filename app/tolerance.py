@@ -109,6 +109,12 @@ def _ratio_terms(distance, tilt, width):
     return value * sum(1 + moved("solid_angle_patch", args) / f(**args) for args in (near, far))
 
 
+def _f82_terms(l_dot_h, f0, f82):
+    schlick = twin("f_schlick")
+    bend = 7 * (7 / 6) ** 6 * (schlick(1 / 7, f0) + f82) * l_dot_h * (1 - l_dot_h) ** 6
+    return schlick(l_dot_h, f0) + bend
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "projected_solid_angle_polygon": _contour_terms,
     "projected_solid_angle_rectangle": _rectangle_terms,
@@ -119,6 +125,9 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "solid_angle_outline": _outline_terms,
     "solid_angle_patch_ratio": _ratio_terms,
     "solid_angle_mesh": _mesh_terms,
+    "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
+    "f_f82": _f82_terms,
+    "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -105,7 +105,13 @@ def not_too_near(a: dict, rng) -> dict:
     return a | {"width": f32(np.minimum(a["width"], 1e3 * a["distance"] * np.abs(np.cos(a["tilt"]))))}
 
 
+def half_reached(a: dict, rng) -> dict:
+    """Indices with an angle at which half is reflected, and not of nearly nothing."""
+    return a | {"eta": f32(np.clip(a["eta"], 1.01, 5.0))}
+
+
 JOINT = {  # arguments that belong together
+    "angle_of_half": half_reached,
     "fibonacci_direction": below_samples,
     "meets_patch": unit,
     "projected_solid_angle_patch": not_too_near,

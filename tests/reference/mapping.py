@@ -28,6 +28,14 @@ MAPPING = {  # a name, or the beginning of names up to a dot
         "projected_solid_angle_wall", {"d": "distance", "b": "width", "h": "height"}),
     "projected_solid_angle.rect_clipped_by_horizon": Twin("projected_solid_angle_polygon", {"P": "corners"}),
     "projected_solid_angle.triangle": Twin("projected_solid_angle_polygon", {"P": "corners"}),
+    # the Fresnel term
+    "fresnel.dielectric": Twin("f_dielectric", {"cos_i": "l_dot_h"}),
+    "fresnel.conductor": Twin("f_conductor", {"n": "eta", "cos_i": "l_dot_h"}),
+    "fresnel.schlick": Twin("f_schlick", {"F0": "f0", "cos": "l_dot_h"}),
+    "fresnel.F82_hoffman_kutz": Twin("f_f82", {"F0": "f0", "F82": "f82", "cos": "l_dot_h"}),
+    "fresnel.F0_from_ior": Twin("f0_from_eta"),
+    "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
+    "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
 }
 
 
