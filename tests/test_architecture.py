@@ -46,7 +46,7 @@ NOTHING_TO_TEACH = {"Appearance: Local Shading", "Contributors"}
 PARTS = {
     "Basic Concepts": 0, "Basic Radiometric Quantities (1)": 4, "Light Sources": 13, "Units for Lighting - Watts": 3,
     "BRDF – The Reflectance Equation (1)": 27, "The Torrance – Sparrow Microfacet Model (1)": 12,
-    "Cook – Torrance – Fresnel Term (1)": 8, "Cook – Torrance – Geometric Term (1)": 7,
+    "Cook – Torrance – Fresnel Term (1)": 0, "Cook – Torrance – Geometric Term (1)": 7,
     "Cook Torrance – Comparison (1)": 7,
 }
 

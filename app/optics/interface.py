@@ -6,6 +6,8 @@ from app.optics.fresnel import (
     f_dielectric,
     f_dielectric_p,
     f_dielectric_s,
+    f0_from_eta,
+    f_average_schlick,
     f_schlick,
     refracted_cosine,
     t_dielectric,
@@ -97,8 +99,17 @@ def schlick_share(theta, eta):
 
     theta (...) rad, eta (...) > 0. Returns (...) 0 .. 1. Errors: a fit. Source: Schlick 1994; deck, Fresnel Term (8).
     """
-    eta = np.asarray(eta, float)
-    return f_schlick(_cosine(theta), ((eta - 1) / (eta + 1)) ** 2)
+    return f_schlick(_cosine(theta), f0_from_eta(eta))
+
+
+def f_average_schlick_eta(eta):
+    """The share of diffuse light that is reflected, by Schlick's fit, from the index.
+
+    f0 + (1 - f0) / 21, f0 = ((eta - 1) / (eta + 1))^2
+
+    eta (...) > 0. Returns (...) 0 .. 1. Errors: a fit. Source: Schlick 1994, integrated.
+    """
+    return f_average_schlick(f0_from_eta(eta))
 
 
 def angle_of_half(eta):

@@ -44,6 +44,11 @@ float schlick_share(float theta, float eta) {
     return f_schlick(max(0.0, cos(theta)), f0_from_eta(eta));
 }
 
+float f_average_schlick_eta(float eta) {
+    // Schlick 1994, averaged over the hemisphere, from the index
+    return f_average_schlick(f0_from_eta(eta));
+}
+
 float angle_of_half(float eta) {
     // Fresnel 1823: f_dielectric = 1/2, by halving the interval
     float low = 0.0, high = 1.0;
