@@ -178,7 +178,6 @@ $\colour{l}{\text{ring}}$ to [your feet](?theta=25), [Brewster](?theta=53.1), [h
     scene=Scene(
         glsl="""
 #include "optics/interface.glsl"
-#include "display/look.glsl"
 uniform float theta;
 uniform float eta;
 uniform float polariser;
@@ -308,7 +307,7 @@ in through the top stays in until it finds that window. That is the sparkle.
     scene=Scene(
         glsl="""
 #include "optics/interface.glsl"
-#include "display/look.glsl"
+#include "display/palette.glsl"
 uniform float theta;
 uniform float eta;
 
@@ -417,16 +416,12 @@ and prisms in binoculars live from this. 5 minutes.
     beyond=True,
 )
 
-# Ten rows of the tables as balls: metals above, insulators below; a row of colours under the clear surface
+# A row of the tables as a polished ball, with a colour of its own under the clear surface of insulators
 ROW_GLSL = """
 #include "optics/materials.glsl"
 #include "display/balls.glsl"
 #include "display/studio.glsl"
 #include "display/look.glsl"
-
-vec3 ball_centre(int i) {
-    return vec3(2.25 * float(i % 5 - 2), 0.0, i < INSULATORS ? -1.2 : 1.2);
-}
 
 vec3 body(int i) {
     if (i == 0) return vec3(0.01, 0.05, 0.09);
@@ -462,6 +457,10 @@ Both agree at the rim: there every material is a white mirror. Choose [water](?m
 #include "stage/camera.glsl"
 uniform int material;
 uniform float theta;
+
+vec3 ball_centre(int i) {
+    return vec3(2.25 * float(i % 5 - 2), 0.0, i < INSULATORS ? -1.2 : 1.2);
+}
 
 vec3 surface_point(int surface, vec2 s) {
     return ball_centre(ball_number(s, 10)) + ball_point(s, 10);
@@ -578,7 +577,7 @@ vec3 shade(Surface s) {
     }
     int i = clamp(int(floor((s.position.x + 5.625) / 2.25)), 0, 4);
     vec2 at = vec2(s.position.x - plate_centre(i).x, fract(3.0 * s.st.y));
-    if (abs(at.x) > 1.0 || at.y < 0.06 || at.y > 0.94) discard;
+    if (abs(at.x) > 1.0 || at.y < 0.06 || at.y > 0.94) return vec3(0.03); // a dark card, so that silver shows on white
     int row = int(3.0 * s.st.y);
     if (row == 2) return material_f0(i + INSULATORS);
     if (row == 1) return decoded(material_srgb(i + INSULATORS));
@@ -794,7 +793,7 @@ vec3 shade(Surface s) {
     vec3 sum = l + v, h = sum / max(length(sum), 1e-6);
     float n_dot_l = max(dot(n, l), 0.0), n_dot_v = max(dot(n, v), 0.0);
     float f = f_dielectric(s.id == 1 ? max(dot(l, h), 0.0) : n_dot_v, 1.5), on_h = max(dot(n, h), 0.0);
-    return vec3(0.12, 0.012, 0.02) * (0.15 + n_dot_l) + f * (5.0 * on_h * on_h) * smoothstep(0.0, 0.2, n_dot_l);
+    return vec3(0.12, 0.012, 0.02) * (0.15 + n_dot_l) + f * (3.5 * on_h) * smoothstep(0.0, 0.25, n_dot_l);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -846,7 +845,7 @@ in more than one game. Where F82 costs: one number more a material, and a sixth 
     sources=("Deck, slide Fresnel Term (8)", "Schlick 1994", "Hoffman 2019: Fresnel Equations Considered Harmful",
              "Kutz et al. 2021: the F82 tint", "Johnson & Christy 1972, 1974; Rakic 1995"),
     honesty="Errors are against the exact term of measured indices, the largest of the three channels. The rough balls "
-            "use a plain (n·h)² glow, no BRDF: those come with chapters 4 and 5.",
+            "use a plain glow by n·h, no BRDF: those come with chapters 4 and 5.",
     values=(Value("material", 8, low=5, high=9), Value("theta", 18.0, low=0.0, high=90.0),
             Value("channel", 1, choices=CHANNELS)),
     minutes=6,

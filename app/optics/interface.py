@@ -3,11 +3,11 @@
 import numpy as np
 
 from app.optics.fresnel import (
+    f0_from_eta,
+    f_average_schlick,
     f_dielectric,
     f_dielectric_p,
     f_dielectric_s,
-    f0_from_eta,
-    f_average_schlick,
     f_schlick,
     refracted_cosine,
     t_dielectric,
@@ -86,7 +86,8 @@ def refracted_angle(theta, eta):
 
     atan2(sin theta, eta refracted_cosine)
 
-    theta (...) rad 0 .. 90 degrees, beyond as at 90; eta (...) > 0. Returns (...) rad. Errors: none. Source: Snell's law.
+    theta (...) rad 0 .. 90 degrees, beyond as at 90; eta (...) > 0. Returns (...) rad. Errors: none.
+    Source: Snell's law.
     """
     theta = np.minimum(np.asarray(theta, float), 0.5 * np.pi)
     return np.arctan2(np.sin(theta), eta * refracted_cosine(_cosine(theta), eta))
@@ -117,7 +118,7 @@ def angle_of_half(eta):
 
     f_dielectric(cos theta, eta) = 1/2, by 30 halvings of the interval of the cosine from 0 to 1
 
-    eta (...) above 1, below 5.8, where half is reflected head-on. Returns (...) degrees, less than 90. Errors: rounding.
+    eta (...) above 1, below 5.8, where half is reflected head-on. Returns (...) degrees. Errors: rounding.
     Source: Fresnel 1823.
     """
     eta = np.asarray(eta, float)
