@@ -8,7 +8,6 @@ from app.lesson import (
     Camera,
     Chapter,
     Check,
-    Choice,
     Curve,
     Curves,
     Exercise,
@@ -26,8 +25,6 @@ from app.lesson import (
 
 PI = 3.141592653589793
 FRESNEL = "Cook – Torrance – Fresnel Term ({})".format
-ROWS = ("water", "plastic, glass (low)", "plastic (high)", "ruby", "diamond",
-        "gold", "silver", "copper", "iron", "aluminium")
 CHANNELS = ("red", "green", "blue")
 
 FLAT_MIRROR = Step(
@@ -446,7 +443,7 @@ MATERIALS = Step(
 Ten materials, one law. **Insulators** have a real index $\eta$ and reflect little head-on, the same in all colours. What
 you see in the middle of the red ball is light that went in and came out again.
 
-**Metals** have a complex index $\eta + ik$. Light that enters is swallowed within a hundredth of a hair, so nothing comes
+**Metals** have a complex index $\eta + ik$. Light that enters is swallowed within a thousandth of a hair, so nothing comes
 back from within: a metal has *no diffuse part*, and its mirror is its colour.
 
 Both agree at the rim: there every material is a white mirror. Choose [water](?material=0), [diamond](?material=4),
@@ -521,7 +518,7 @@ vec4 probe(int i) {
         low=0.0,
         high=1.0,
         sets={"material": 4, "theta": 0.0},
-        told="0.172. Silver does 0.98; the most brilliant insulator is a worse mirror than the dullest metal.",
+        told="0.172. Silver does 0.98; the best mirror among these insulators is a worse one than the dullest of the metals.",
     ),
     notes="""
 Let the class sort the ten balls by what the middle reflects, before any number: the gap between 17 % and 51 % is the gap
@@ -533,7 +530,7 @@ physics. That is why one has a diffuse term and the other must not. 6 minutes.
              "CIE 015:2004: D65 and the 1931 observer"),
     honesty="The Fresnel term is exact from measured indices, over twelve wavelengths for metals and one for insulators. "
             "The room that is mirrored and the colour inside the insulators are made up.",
-    values=(Value("material", 5, choices=ROWS), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
+    values=(Value("material", 5), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
     minutes=6,
 )
 
@@ -547,7 +544,7 @@ The deck prints two numbers a metal and channel: $F(0°)$ in **linear** light, a
 is computed with the first; the second is only for looking.
 
 The balls are made from measured $n$ and $k$. Under them, three plates: the linear column, the sRGB column, and the
-colour computed from the measurements. Gold's red comes out at [1.03](?material=5&channel=0): more than all the red there
+colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=5&channel=0): more than all the red there
 is. That is no error: gold's yellow is purer than sRGB can show. The stripes mark it.
 
 [Iron](?material=8&channel=2) is printed bluish; these data make it slightly warm. [Aluminium's](?material=9&channel=2)
@@ -555,7 +552,9 @@ two columns differ by a rounding.
 """,
     scene=Scene(
         glsl=ROW_GLSL + """
+#include "stage/camera.glsl"
 uniform int material;
+uniform float theta;
 
 vec3 plate_centre(int i) {
     return vec3(2.25 * float(i - 2), 0.0, 0.0);
@@ -581,13 +580,21 @@ vec3 shade(Surface s) {
     int row = int(3.0 * s.st.y);
     if (row == 2) return material_f0(i + INSULATORS);
     if (row == 1) return decoded(material_srgb(i + INSULATORS));
-    vec3 f = f_material(1.0, i + INSULATORS);
+    vec3 f = f_material(max(0.0, cos(theta)), i + INSULATORS);
     bool out_of_gamut = max(f.r, max(f.g, f.b)) > 1.0;
     if (out_of_gamut && mod(gl_FragCoord.x + gl_FragCoord.y, 14.0) < 2.0) return vec3(0.0);
     return f;
 }
 
+// The place of the chosen ball whose normal is theta from the eye's direction
+vec3 place(float turn) {
+    vec3 c = plate_centre(material - INSULATORS) + vec3(0.0, 0.0, 1.3), v = normalize(camera_position - c);
+    vec3 side = normalize(cross(v, vec3(0.0, 0.0, 1.0))), up = cross(side, v);
+    return c + 1.01 * (cos(theta) * v + sin(theta) * (cos(turn) * side + sin(turn) * up));
+}
+
 vec3 mark_point(int mark, float t) {
+    if (mark == 1) return place(2.0 * PI * t);
     vec3 c = plate_centre(material - INSULATORS);
     float side = t < 0.25 ? 4.0 * t : t < 0.5 ? 1.0 : t < 0.75 ? 3.0 - 4.0 * t : 0.0;
     float up = t < 0.25 ? 0.0 : t < 0.5 ? 4.0 * t - 1.0 : t < 0.75 ? 1.0 : 4.0 - 4.0 * t;
@@ -596,14 +603,16 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     if (i < 5) return vec4(plate_centre(i) + vec3(0.0, 0.0, 2.66), 1.0);
+    if (i == 8) return vec4(place(0.8), 1.0);
     return vec4(-6.4, 0.0, i == 5 ? -0.85 : i == 6 ? -2.55 : -4.25, 1.0);
 }
 """,
         surfaces=(Surface("balls", cells=(124, 36)), Surface("plates", cells=(1, 1))),
-        marks=(Mark("chosen", colour="exact", line="dashed", segments=64),),
+        marks=(Mark("chosen", colour="exact", line="dashed", segments=64),
+               Mark("angle", colour="v", segments=64, width=1.3)),
         labels=(*(Label(name, i) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium"))),
                 Label("linear", 5, "printed"), Label("sRGB", 6, "printed"), Label("n, k", 7)),
-        handles=(Handle("the metal", 0, ("material",)),),
+        handles=(Handle("the angle", 8, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=2, distance=34, target=(-0.3, 0.0, -1.2), field_of_view=21),
     ),
     plot=Curves(
@@ -626,7 +635,7 @@ vec4 probe(int i) {
         unit="of it",
         low=0.0,
         high=1.0,
-        sets={"material": 5, "channel": 2},
+        sets={"material": 5, "channel": 2, "theta": 0.0},
         told="0.37 from the measured indices; the table prints 0.29. Gold lacks blue, and has no other colour than that lack.",
     ),
     notes="""
@@ -639,7 +648,7 @@ blue cannot mix so pure a yellow. Let them find the entries whose sRGB is not th
              "1974; Rakic 1995", "IEC 61966-2-1: sRGB", "CIE 015:2004: D65 and the 1931 observer"),
     honesty="From n, k: thin films in vacuum, twelve wavelengths, daylight. Other films of the same metal differ by several "
             "hundredths. On the screen what lies beyond 1 is cut off; the stripes say where.",
-    values=(Value("material", 5, low=5, high=9), Value("channel", 0, choices=CHANNELS), Value("theta", 0.0)),
+    values=(Value("material", 5, low=5, high=9), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
     minutes=5,
 )
 
@@ -681,7 +690,7 @@ vec3 shade(Surface s) {
         int i = ball_number(s.st, 5);
         return lit_ball(i, normalize(s.position - small(i)), s.v);
     }
-    vec3 n = normalize(s.position - LARGE), paint = vec3(0.10, 0.30, 0.62);
+    vec3 n = normalize(s.position - LARGE), paint = vec3(0.26, 0.52, 0.90);
     float f = f_dielectric(max(dot(n, s.v), 0.0), eta);
     vec3 inside = soft_light(paint, n, s.v) * (s.position.x < 0.0 ? 1.0 - f : 1.0);
     return inside + f * studio(reflect(-s.v, n));
@@ -759,18 +768,22 @@ Mind the angle. It is $l\cdot h$, the facet's, and **not** $n\cdot v$. Below, a 
 $2\theta$ away from the eye, both ways. With $n\cdot v$ the rim glows even with [the lamp behind you](?theta=5).
 """,
     scene=Scene(
-        glsl=ROW_GLSL + """
+        glsl="""
+#include "optics/materials.glsl"
+#include "display/balls.glsl"
+#include "display/studio.glsl"
+#include "display/palette.glsl"
 uniform int material;
 uniform float theta;
 
-const float SIZE = 2.0;
+const float SIZE = 1.95;
 
 vec3 place(int i) {
     return vec3(2.3 * float(i % 5 - 2), 0.0, 4.4 - 2.85 * float(i / 5));
 }
 
 vec3 rough(int surface) {
-    return vec3(surface == 1 ? -3.0 : 3.0, 0.0, -5.0);
+    return vec3(surface == 1 ? -3.0 : 3.0, 0.0, -6.1);
 }
 
 vec3 surface_point(int surface, vec2 s) {
@@ -782,9 +795,10 @@ vec3 shade(Surface s) {
     if (s.id == 0) {
         int i = ball_number(s.st, 15), metal = INSULATORS + i % 5;
         vec3 n = normalize(s.position - place(i));
-        if (i < 5) return lit_ball(metal, n, s.v);
         float c = max(dot(n, s.v), 0.0);
-        vec3 f = f_material(c, metal), f0 = f_material(1.0, metal), f82 = f_material(1.0 / 7.0, metal), off = vec3(0.0);
+        vec3 f = f_material(c, metal);
+        if (i < 5) return max(f, 0.0) * studio(reflect(-s.v, n));
+        vec3 f0 = f_material(1.0, metal), f82 = f_material(1.0 / 7.0, metal), off = vec3(0.0);
         for (int k = 0; k < 3; k++) off[k] = abs((i < 10 ? f_schlick(c, f0[k]) : f_f82(c, f0[k], f82[k])) - f[k]);
         return colormap(max(off.r, max(off.g, off.b)) / 0.18);
     }
@@ -803,15 +817,17 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i < 3) return vec4(0.0, 0.0, 5.72 - 2.85 * float(i), 1.0);
     if (i < 5) return vec4(rough(i - 2) + vec3(0.0, 0.0, SIZE + 0.3), 1.0);
+    if (i > 5) return vec4(place(i + 4) + vec3(0.0, 0.0, -1.4), 1.0);
     return vec4(rough(1) + (SIZE + 0.3) * vec3(-sin(2.0 * theta), -cos(2.0 * theta), 0.0), 1.0);
 }
 """,
         surfaces=(Surface("balls", cells=(374, 36)), Surface("with l.h", cells=(64, 32)), Surface("with n.v", cells=(64, 32))),
         marks=(*(Mark(f"chosen {i}", colour="exact", line="dashed", segments=48) for i in range(3)),),
         labels=(Label("exact", 0), Label("Schlick's error", 1, "printed"), Label("F82's error", 2, "estimate"),
-                Label("F(l·h)", 3), Label("F(n·v)", 4, "printed")),
+                Label("F(l·h)", 3), Label("F(n·v)", 4, "printed"),
+                *(Label(name, i + 6) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium")))),
         handles=(Handle("the lamp", 5, ("theta",)),),
-        camera=Camera(azimuth=-90, elevation=2, distance=40, target=(0.0, 0.0, -0.7), field_of_view=21),
+        camera=Camera(azimuth=-90, elevation=2, distance=40, target=(0.0, 0.0, -1.3), field_of_view=22),
     ),
     plot=Curves(
         title="Exact, Schlick, F82",
