@@ -807,7 +807,7 @@ vec3 shade(Surface s) {
     vec3 sum = l + v, h = sum / max(length(sum), 1e-6);
     float n_dot_l = max(dot(n, l), 0.0), n_dot_v = max(dot(n, v), 0.0);
     float f = f_dielectric(s.id == 1 ? max(dot(l, h), 0.0) : n_dot_v, 1.5), on_h = max(dot(n, h), 0.0);
-    return vec3(0.12, 0.012, 0.02) * (0.15 + n_dot_l) + f * (3.5 * on_h) * smoothstep(0.0, 0.25, n_dot_l);
+    return vec3(0.12, 0.012, 0.02) * (0.15 + n_dot_l) + f * (3.5 * on_h) * smoothstep(0.0, 0.06, n_dot_l);
 }
 
 vec3 mark_point(int mark, float t) {
