@@ -159,6 +159,16 @@ TABLE: dict[str, Quantity] = {
     "seen": Quantity("r'", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "the panel's middle in its own axes", kind="vec3"),
     "level": Quantity(r"\log_4 N", "", 0, 5, 2, "4 to this power is the number of samples", kind="int"),
     "seed": Quantity("q", "", 0, 1000, 0, "which of the patterns of random samples", (0, 2147483647), kind="int"),
+    # the Fresnel term
+    "l_dot_h": Quantity(r"l \cdot h", "", 0.0, 1.0, 0.7, "cosine between the light and the facet's normal"),
+    "eta": Quantity(r"\eta", "", 1.0, 3.0, 1.5, "index of the far side over the near side's", (0.35, 10.0), "log"),
+    "k": Quantity("k", "", 0.0, 10.0, 3.0, "extinction: the imaginary part of a metal's index", extreme=(0.0, 30.0)),
+    "f0": Quantity("F_0", "", 0.0, 0.95, 0.04, "share reflected at normal incidence", extreme=(0.0, 0.99)),
+    "f82": Quantity("F_{82}", "", 0.0, 1.0, 0.5, "share reflected at 82 degrees, l.h = 1/7"),
+    "polariser": Quantity(r"\psi", "rad", 0.0, PI / 2, 0.0, "turn of the polariser before the eye"),
+    "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),
+    "channel": Quantity("c", "", 0, 2, 0, "colour channel: red, green, blue", kind="int"),
+    "wavelength_index": Quantity("j", "", 0, 11, 6, "which of twelve wavelengths", kind="int"),
 }
 
 

@@ -149,6 +149,12 @@ def _strip_terms(strip, y0, y1, distance):
     return np.abs(x) * 2 * (1 + (x / distance) ** 2)
 
 
+def _f82_terms(l_dot_h, f0, f82):
+    schlick = twin("f_schlick")
+    bend = 7 * (7 / 6) ** 6 * (schlick(1 / 7, f0) + f82) * l_dot_h * (1 - l_dot_h) ** 6
+    return schlick(l_dot_h, f0) + bend
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
@@ -181,6 +187,9 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
+    "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
+    "f_f82": _f82_terms,
+    "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

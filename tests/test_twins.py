@@ -145,7 +145,13 @@ def opened(a: dict, rng) -> dict:
     return a | {"half_angle": f32(np.clip(a["half_angle"], 1e-4, 1.5))}
 
 
+def half_reached(a: dict, rng) -> dict:
+    """Indices with an angle at which half is reflected, and not of nearly nothing."""
+    return a | {"eta": f32(np.clip(a["eta"], 1.01, 5.0))}
+
+
 JOINT = {  # arguments that belong together
+    "angle_of_half": half_reached,
     "fibonacci_direction": below_samples,
     "ies_ring_flux": between_the_poles,
     "gauss_sample": of_its_level,

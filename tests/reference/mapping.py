@@ -42,6 +42,14 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "filter.toksvig_exponent": Twin("toksvig_exponent", {"Na_len": "normal_length", "n": "exponent"}),
     "filter.vmf_mean_length": Twin("vmf_mean_length"),
     "light.windowed_falloff_karis": Twin("windowed_falloff", {"d": "distance", "r": "reach"}),
+    # the Fresnel term
+    "fresnel.dielectric": Twin("f_dielectric", {"cos_i": "l_dot_h"}),
+    "fresnel.conductor": Twin("f_conductor", {"n": "eta", "cos_i": "l_dot_h"}),
+    "fresnel.schlick": Twin("f_schlick", {"F0": "f0", "cos": "l_dot_h"}),
+    "fresnel.F82_hoffman_kutz": Twin("f_f82", {"F0": "f0", "F82": "f82", "cos": "l_dot_h"}),
+    "fresnel.F0_from_ior": Twin("f0_from_eta"),
+    "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
+    "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
 }
 
 
