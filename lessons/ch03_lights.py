@@ -229,7 +229,7 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("I cos θ / r²", Term("irradiance_positional", {"source_radius": 0.0}), role="exact", unit="W/m²"),
-        Readout("r not below r₀", Term("irradiance_positional"), role="estimate", unit="W/m²", against="I cos θ / r²"),
+        Readout("stopped at radius", Term("irradiance_positional"), role="estimate", unit="W/m²", against="I cos θ / r²"),
         Readout("windowed", Term("irradiance_windowed"), role="printed", unit="W/m²", against="I cos θ / r²"),
     ),
     ask=Prediction(
@@ -709,15 +709,19 @@ The slide ends the falloff at a third angle, $\theta_L$, and does not clamp.
 irradiance.
 
 [Linear](?edge=0) has a crease at both cones; [smoothstep](?edge=1) has none and, here, the same flux.
-[H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$.
+[H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$. A
+[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones: a weaker middle, and light that
+strays.
 """,
     scene=Scene(
         glsl="""
 #include "optics/spot.glsl"
+#include "optics/ies.glsl"
 #include "optics/punctual.glsl"
 #include "core/angle.glsl"
 #include "display/scale.glsl"
 #include "display/faults.glsl"
+uniform sampler2D table;
 uniform float hotspot;
 uniform float falloff;
 uniform float threshold;
@@ -749,7 +753,7 @@ vec3 shade(Surface s) {
     vec3 d = -direction_to_light(s.position, LAMP);
     float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
     float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
-        : spot_as_printed(angle, hotspot, falloff, threshold);
+        : edge == 2 ? spot_as_printed(angle, hotspot, falloff, threshold) : ies_as_spot(table, angle, hotspot, falloff);
     if (!(share >= 0.0 && share < 1e6)) return fault_colour(vec3(0.0, 0.0, 1.0), gl_FragCoord.xy);
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
@@ -786,6 +790,7 @@ vec4 probe(int i) {
                  Handle("a ray", 6, ("off_axis",))),
         camera=Camera(azimuth=-64, elevation=32, distance=8.8, target=(0.0, 0.0, 0.4)),
         legend=(("printed", "dots: negative light"),),
+        tables=(Table("table", ("downlight",)),),
     ),
     plot=Curves(
         title="Across the beam",
@@ -794,6 +799,7 @@ vec4 probe(int i) {
             Curve("linear, clamped", Term("spot_linear")),
             Curve("smoothstep", Term("spot_smooth"), role="estimate"),
             Curve("as printed", Term("spot_as_printed"), role="printed"),
+            Curve("IES, same flux", Term("ies_as_spot"), role="estimate"),
         ),
         y_label="share of I",
     ),
@@ -814,12 +820,14 @@ vec4 probe(int i) {
     notes="""
 Let the class read the slide's formula and find the undefined angle. Then switch to it: the ring of dots takes light away
 from other lamps. Then the sign: with +l.d in place of -l.d nothing is lit at all. Drag falloff onto hotspot: 0/0 on the
-slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). 6 minutes.
+slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). Last, the downlight: the same watts, half the middle; ask
+where the rest went. 6 minutes.
 """,
-    sources=("Deck, slides Light Sources - Spotlights (1) and (2)", "optics reference 2.7 and D4"),
+    sources=("Deck, slides Light Sources - Spotlights (1) and (2)", "optics reference 2.7 and D4",
+             "The downlight's file is made for this course (lessons/ies)"),
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
-            Value("edge", 0, choices=("linear", "smoothstep", "as printed")),
+            Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES, same flux")),
             Value("threshold", 50.0, low=2.0, high=80.0), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
