@@ -751,7 +751,10 @@ vec3 shade(Surface s) {
     vec3 d = -direction_to_light(s.position, LAMP);
     float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
     float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
-        : edge == 2 ? spot_as_printed(angle, hotspot, falloff, threshold) : ies_as_spot(table, angle, hotspot, falloff);
+        : spot_as_printed(angle, hotspot, falloff, threshold);
+    for (int i = edge == 3 ? 0 : 1; i < 1; i++) { // a loop: a software renderer computes both sides of an if
+        share = ies_as_spot(table, angle, hotspot, falloff);
+    }
     if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
