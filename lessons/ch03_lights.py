@@ -96,7 +96,7 @@ vec4 probe(int i) {
         marks=tuple(Mark(f"intensity {i}", colour="l", tip="arrow", width=0.9) for i in range(12)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp's rim", 0, ("radius",)), Handle("the lamp", 1, ("light_height",))),
-        camera=Camera(azimuth=-72, elevation=36, distance=8.2, target=(0.0, -0.2, 0.3)),
+        camera=Camera(azimuth=-80, elevation=36, distance=9.4, target=(0.0, -0.4, 0.05)),
         legend=(("l", "arrows: intensity"),),
     ),
     plot=Curves(
@@ -214,7 +214,7 @@ vec4 probe(int i) {
         ),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100", 5), Label("1000 W/m²", 6)),
         handles=(Handle("the light", 0, ("theta", "phi")), Handle("its distance", 1, ("distance",))),
-        camera=Camera(azimuth=-70, elevation=34, distance=8.8, target=(0.0, 0.0, 0.35)),
+        camera=Camera(azimuth=-78, elevation=34, distance=10.0, target=(0.0, -0.2, 0.3)),
     ),
     plot=Curves(
         title="Irradiance at x against distance",
@@ -229,7 +229,7 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("I cos θ / r²", Term("irradiance_positional", {"source_radius": 0.0}), role="exact", unit="W/m²"),
-        Readout("r not below r₀", Term("irradiance_positional"), role="estimate", unit="W/m²", against="I cos θ / r²"),
+        Readout("stopped at radius", Term("irradiance_positional"), role="estimate", unit="W/m²", against="I cos θ / r²"),
         Readout("windowed", Term("irradiance_windowed"), role="printed", unit="W/m²", against="I cos θ / r²"),
     ),
     ask=Prediction(
@@ -329,7 +329,7 @@ vec4 probe(int i) {
         ),
         labels=(Label("none", 2), Label("half", 3), Label("as the middle", 4)),
         handles=(Handle("the light", 0, ("distance",)), Handle("the place aside", 1, ("offset",))),
-        camera=Camera(azimuth=-80, elevation=33, distance=8.6, target=(0.0, -0.2, 0.6)),
+        camera=Camera(azimuth=-82, elevation=33, distance=9.4, target=(0.0, -0.2, 0.45)),
     ),
     plot=Curves(
         title="How much less at ρ than in the middle",
@@ -390,7 +390,6 @@ while you turn the exponent: the solid grows longer as it grows thinner. Its vol
 #include "optics/distribution.glsl"
 #include "optics/punctual.glsl"
 #include "core/angle.glsl"
-#include "display/faults.glsl"
 #include "display/look.glsl"
 #include "display/scale.glsl"
 uniform int distribution;
@@ -416,7 +415,7 @@ vec3 shade(Surface s) {
     float theta = arctan2(length(way.xy), way.z);
     float intensity = radiant_intensity_of(radiant_flux, distribution, exponent, theta);
     float found = irradiance_at(s.position, n, lamp(), intensity, 1e-3);
-    return found < 0.0 ? fault_colour(vec3(0.0, 0.0, 1.0), gl_FragCoord.xy) : decades(found, -1.0, 2.0);
+    return found < 0.0 ? vec3(-1.0) : decades(found, -1.0, 2.0); // the stage draws and counts what is negative
 }
 
 vec3 mark_point(int mark, float t) {
@@ -437,7 +436,7 @@ vec4 probe(int i) {
         marks=(Mark("axis", colour="quiet", line="dashed"),),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp", 0, ("light_height",)), Handle("the peak", 1, ("exponent",))),
-        camera=Camera(azimuth=-70, elevation=27, distance=9.2, target=(0.0, 0.0, 0.6)),
+        camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
     ),
     plot=Figure(
         title="Photometric solid, 2 m for 1/sr",
@@ -709,15 +708,18 @@ The slide ends the falloff at a third angle, $\theta_L$, and does not clamp.
 irradiance.
 
 [Linear](?edge=0) has a crease at both cones; [smoothstep](?edge=1) has none and, here, the same flux.
-[H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$.
+[H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$. A
+[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones: a weaker middle, and light that
+strays.
 """,
     scene=Scene(
         glsl="""
 #include "optics/spot.glsl"
+#include "optics/ies.glsl"
 #include "optics/punctual.glsl"
 #include "core/angle.glsl"
 #include "display/scale.glsl"
-#include "display/faults.glsl"
+uniform sampler2D table;
 uniform float hotspot;
 uniform float falloff;
 uniform float threshold;
@@ -750,7 +752,10 @@ vec3 shade(Surface s) {
     float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
     float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
         : spot_as_printed(angle, hotspot, falloff, threshold);
-    if (!(share >= 0.0 && share < 1e6)) return fault_colour(vec3(0.0, 0.0, 1.0), gl_FragCoord.xy);
+    for (int i = edge == 3 ? 0 : 1; i < 1; i++) { // a loop: a software renderer computes both sides of an if
+        share = ies_as_spot(table, angle, hotspot, falloff);
+    }
+    if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
 
@@ -784,8 +789,9 @@ vec4 probe(int i) {
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the hotspot", 0, ("hotspot",)), Handle("the falloff", 1, ("falloff",)),
                  Handle("a ray", 6, ("off_axis",))),
-        camera=Camera(azimuth=-64, elevation=32, distance=8.8, target=(0.0, 0.0, 0.4)),
+        camera=Camera(azimuth=-74, elevation=32, distance=10.0, target=(0.0, -0.2, 0.3)),
         legend=(("printed", "dots: negative light"),),
+        tables=(Table("table", ("downlight",)),),
     ),
     plot=Curves(
         title="Across the beam",
@@ -794,6 +800,7 @@ vec4 probe(int i) {
             Curve("linear, clamped", Term("spot_linear")),
             Curve("smoothstep", Term("spot_smooth"), role="estimate"),
             Curve("as printed", Term("spot_as_printed"), role="printed"),
+            Curve("IES, same flux", Term("ies_as_spot"), role="estimate"),
         ),
         y_label="share of I",
     ),
@@ -814,12 +821,14 @@ vec4 probe(int i) {
     notes="""
 Let the class read the slide's formula and find the undefined angle. Then switch to it: the ring of dots takes light away
 from other lamps. Then the sign: with +l.d in place of -l.d nothing is lit at all. Drag falloff onto hotspot: 0/0 on the
-slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). 6 minutes.
+slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). Last, the downlight: the same watts, half the middle; ask
+where the rest went. 6 minutes.
 """,
-    sources=("Deck, slides Light Sources - Spotlights (1) and (2)", "optics reference 2.7 and D4"),
+    sources=("Deck, slides Light Sources - Spotlights (1) and (2)", "optics reference 2.7 and D4",
+             "The downlight's file is made for this course (lessons/ies)"),
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
-            Value("edge", 0, choices=("linear", "smoothstep", "as printed")),
+            Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES")),
             Value("threshold", 50.0, low=2.0, high=80.0), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
@@ -939,7 +948,7 @@ vec4 probe(int i) {
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
-        camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
+        camera=Camera(azimuth=-84, elevation=38, distance=9.6, target=(0.0, -0.4, 0.0)),
     ),
     plot=Curves(
         title="Error at x against samples",
@@ -1067,7 +1076,7 @@ vec4 probe(int i) {
                 Label("0.1", 6), Label("1", 7), Label("10", 8), Label("100 W/m²", 9)),
         handles=(Handle("the height", 3, ("light_height",)), Handle("the radius", 4, ("radius",)),
                  Handle("the panel's edge", 5, ("panel_tilt",))),
-        camera=Camera(azimuth=-78, elevation=34, distance=8.4, target=(0.0, -0.2, 0.25)),
+        camera=Camera(azimuth=-80, elevation=34, distance=9.4, target=(0.0, -0.3, 0.1)),
     ),
     plot=Curves(
         title="Straight below, against height",
@@ -1182,7 +1191,7 @@ vec4 probe(int i) {
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
         handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),
-        camera=Camera(azimuth=-84, elevation=38, distance=8.6, target=(0.0, -0.2, 0.2)),
+        camera=Camera(azimuth=-84, elevation=38, distance=9.6, target=(0.0, -0.4, 0.0)),
     ),
     plot=Curves(
         title="Error at x against samples",

@@ -14,7 +14,17 @@ from app.__main__ import main
 from app.gpu.evaluate import evaluate
 from app.ies import parse, read
 from app.ies import text as ies_text
-from app.optics.ies import ies_candela, ies_flux, ies_place, ies_plane, ies_ring_flux, ies_solid, ies_towards
+from app.optics.ies import (
+    ies_as_spot,
+    ies_candela,
+    ies_flux,
+    ies_place,
+    ies_plane,
+    ies_ring_flux,
+    ies_solid,
+    ies_towards,
+)
+from app.optics.spot import spot_flux
 from app.problem import Problem
 from app.tables import FOLDER, built_in, names
 from app.tolerance import FACTOR, ratio
@@ -249,6 +259,15 @@ def test_places_solids_planes_and_aims():
     assert ies_plane(table, [-0.3, 0.3], 0.2).tolist() == pytest.approx(either)
     aimed = ies_towards(table, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [0.0, np.pi / 2], np.pi / 2)
     assert aimed.tolist() == pytest.approx([built_in("downlight").max_candela] * 2)
+
+
+@pytest.mark.parametrize(("hotspot", "falloff"), [(18, 30), (30, 30), (40, 25)])
+def test_a_spot_and_a_luminaire_of_the_same_flux(hotspot, falloff):
+    table, (h, f) = built_in("downlight").table, np.radians([hotspot, falloff])
+    theta = np.linspace(0, np.pi / 2, 100_001)
+    share = ies_as_spot(table, theta, h, f)
+    flux = 2 * np.pi * np.trapezoid(share * np.sin(theta), theta)
+    assert flux == pytest.approx(spot_flux(1.0, h, f), rel=1e-8)
 
 
 @pytest.mark.parametrize("name", names())

@@ -98,7 +98,7 @@ def test_the_picture_has_all_of_it():
         assert rows.mean() > 0.6, "it is not empty"
         more = picture(plot(BULB), VALUES | {"distance": 1.0}, (520, 520), theme)
         assert np.any(more != drawn), "it follows the values"
-    assert picture(plot(BULB), VALUES, (130, 130), THEMES["dark"]).shape == (130, 130, 3)
+    assert picture(plot(BULB), VALUES, (240, 240), THEMES["dark"]).shape == (240, 240, 3)
 
 
 def test_the_validator_reads_the_ledger(tmp_path):

@@ -110,6 +110,12 @@ def low_high(found, name: str, end: str):
     return (number,) * spec.quantity.width if spec.quantity.width > 1 else number
 
 
+MEANT = {  # negative light is shown on purpose, drawn as such and counted
+    "lights/distribution": lambda values: values["radiant_flux"] < 0,
+    "lights/spot": lambda values: values["edge"] == 2,
+}
+
+
 @every_step
 def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
     """NaN, Inf and negative radiance are shown in class, so a lesson may have none where it does not mean to."""
@@ -124,7 +130,8 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
             mesh = more.get("triangles")
             whole = values | more
             stage.draw(whole, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
-            assert not stage.faults(), f"{stage.faults()} at {values}"
+            meant = found.id in MEANT and MEANT[found.id](values)
+            assert meant or not stage.faults(), f"{stage.faults()} at {values}"
             assert np.all(np.isfinite(stage.probes(whole)))
             assert all(np.all(np.isfinite(point)) for point in stage.anchors(whole).values())
     finally:

@@ -3,6 +3,8 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from imgui_bundle import imgui
+
 from app import locale_alias
 from app.gpu.context import context
 from app.paths import LESSONS
@@ -32,6 +34,8 @@ def drive(
 
 
 def jobs_of(window: Window) -> None:
+    io = imgui.get_io()  # seconds: a busy machine draws few frames between two clicks
+    io.mouse_double_click_time, io.mouse_single_click_delay = 2.0, 2.5
     while window.jobs:
         window.jobs.pop(0)()
 

@@ -6,6 +6,8 @@ down, phi from the luminaire's front counter-clockwise as seen from above: the a
 
 import numpy as np
 
+from app.optics.spot import spot_flux
+
 SLACK = 1e-4  # degrees: the measured range ends this much later, so that its last angle belongs to it in any arithmetic
 
 
@@ -151,6 +153,18 @@ def ies_plane(table, theta, plane):
     """
     theta, plane = np.asarray(theta, float), np.asarray(plane, float)
     return ies_candela(table, np.abs(theta), np.where(theta < 0, plane - np.pi, plane))
+
+
+def ies_as_spot(table, off_axis, hotspot, falloff):
+    """A measured luminaire in the place of a spotlight of the same flux, as a share of the spot's intensity.
+
+    (I_ies(off_axis) / Phi_ies) (Phi_spot / I_spot), I_ies in the plane of the luminaire's front
+
+    table (rows, columns); off_axis (...) rad, 0 .. pi; hotspot, falloff (...) rad, the spot's half angles.
+    Returns (...), 0 or more, above 1 where the measured beam is stronger than the hotspot. Errors: exact for the
+    interpolant. Source: deck, IES Lights and Light Sources - Spotlights (2), both integrated.
+    """
+    return ies_candela(table, off_axis, 0.0) * (spot_flux(1.0, hotspot, falloff) / ies_flux(table))
 
 
 def ies_towards(table, way, turn, aim):

@@ -115,8 +115,10 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
 
 
 def places(spec: ValueSpec, low: float, high: float) -> str:
-    if spec.scale == "log" and high / low > 1e3:
+    if spec.scale == "log" and (high / low > 1e3 or low < 0.01):
         return "3g"
+    if low >= 100:
+        return "0f"
     return "1f" if spec.quantity.is_angle else "2f" if high - low > 0.5 else "3f"
 
 

@@ -86,6 +86,12 @@ float ies_plane(sampler2D table, float theta, float plane) {
     return ies_candela(table, abs(theta), theta < 0.0 ? plane - PI : plane);
 }
 
+float ies_as_spot(sampler2D table, float off_axis, float hotspot, float falloff) {
+    // IES Lights, Spotlights: the measured intensity as a share of that of a spot of the same flux
+    float inner = sin(0.5 * min(hotspot, falloff)), outer = sin(0.5 * falloff);
+    return ies_candela(table, off_axis, 0.0) * (2.0 * PI * (inner * inner + outer * outer) / ies_flux(table));
+}
+
 float ies_towards(sampler2D table, vec3 way, float turn, float aim) {
     // IES Lights: the way to the point turned back into the luminaire's own frame
     float front = way.x * cos(turn) + way.y * sin(turn), side = way.y * cos(turn) - way.x * sin(turn);
