@@ -131,7 +131,9 @@ def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
             whole = values | more
             stage.draw(whole, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
             meant = found.id in MEANT and MEANT[found.id](values)
-            assert meant or not stage.faults(), f"{stage.faults()} at {values}"
+            faults = stage.faults()
+            assert not faults.nan and not faults.inf, f"{faults} at {values}"
+            assert meant or not faults.negative, f"{faults} at {values}"
             assert np.all(np.isfinite(stage.probes(whole)))
             assert all(np.all(np.isfinite(point)) for point in stage.anchors(whole).values())
     finally:
