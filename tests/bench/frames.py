@@ -20,7 +20,8 @@ def jobs() -> dict[str, Job]:
     found = {"an empty frame": timed(lambda: (empty.draw({}, Camera(), SIZE, theme, False), ctx.finish()))}
     for step in catalog.steps():
         values = defaults(step)
-        stage = Stage(ctx, Source(step.step.scene, step.file_name, step.glsl_line), data(step, values).get("triangles"))
+        values |= data(step, values)
+        stage = Stage(ctx, Source(step.step.scene, step.file_name, step.glsl_line), values.get("triangles"))
         for fine in (False, True):
             def draw(stage=stage, values=values, camera=step.step.scene.camera, fine=fine) -> None:
                 stage.draw(values, camera, SIZE, theme, fine)
@@ -30,7 +31,7 @@ def jobs() -> dict[str, Job]:
     return found
 
 
-def frames(rounds: int = 60) -> list[Row]:
+def frames(rounds: int = 25) -> list[Row]:
     """An empty frame is the reference."""
     made = jobs()
     return in_turn(made, rounds, asked={name: ASKED for name in made if name.endswith("moving")})

@@ -23,7 +23,9 @@ def plots(rounds: int = 12) -> list[Row]:
                 name = next(name for name, value in values.items() if isinstance(value, float))
                 spec = step.values[name]
                 values[name] = spec.low + (spec.high - spec.low) * share
-            process.request(step.step.plot, values, triangles=data(step, values).get("triangles"), fine=False)
+            more = data(step, values)
+            triangles = more.pop("triangles", None)
+            process.request(step.step.plot, values | more, triangles=triangles, fine=False)
             process.wait(30.0)
 
         move.count = 0
