@@ -169,6 +169,28 @@ TABLE: dict[str, Quantity] = {
     "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),
     "channel": Quantity("c", "", 0, 2, 0, "colour channel: red, green, blue", kind="int"),
     "wavelength_index": Quantity("j", "", 0, 11, 6, "which of twelve wavelengths", kind="int"),
+    # matter: n is +z, v = direction(theta_v, 0), l = direction(theta_l, phi); phi = 180 degrees is the mirror side
+    "n": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit normal of the surface", kind="vec3"),
+    "l": Quantity("l", "", -1.0, 1.0, (-0.6, 0.0, 0.8), "unit vector to the light", kind="vec3"),
+    "v": Quantity("v", "", -1.0, 1.0, (0.6, 0.0, 0.8), "unit vector to the eye", kind="vec3"),
+    "h": Quantity("h", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit vector halfway between l and v", kind="vec3"),
+    "theta_l": Quantity(r"\theta_l", "rad", 0.0, PI / 2, 0.7, "angle of the light from the normal"),
+    "theta_v": Quantity(r"\theta_v", "rad", 0.0, PI / 2, 0.7, "angle of the eye from the normal"),
+    "theta_h": Quantity(r"\theta_h", "rad", 0.0, PI / 2, 0.1, "angle of the halfway vector from the normal"),
+    "theta_d": Quantity(r"\theta_d", "rad", 0.0, PI / 2, 0.5, "angle between the light and the halfway vector"),
+    "n_dot_l": Quantity(r"n \cdot l", "", 0.0, 1.0, 0.7, "cosine of the light's angle from the normal"),
+    "n_dot_v": Quantity(r"n \cdot v", "", 0.0, 1.0, 0.7, "cosine of the eye's angle from the normal"),
+    "n_dot_h": Quantity(r"n \cdot h", "", 0.0, 1.0, 0.95, "cosine of the halfway vector's angle from the normal"),
+    "r_dot_v": Quantity(r"r \cdot v", "", 0.0, 1.0, 0.95, "cosine between the mirror direction and the eye"),
+    "m": Quantity("m", "", 0.01, 1.0, 0.3, "roughness: RMS slope of the facets", (1e-5, 10.0), "log"),
+    "alpha": Quantity(r"\alpha", "", 0.01, 1.0, 0.3, "width of the GGX distribution", (1e-5, 10.0), "log"),
+    "k_d": Quantity("k_d", "", 0.0, 1.0, 0.5, "share of the light that is reflected diffusely"),
+    "k_s": Quantity("k_s", "", 0.0, 1.0, 0.5, "share of the light that is reflected specularly"),
+    "sigma": Quantity(r"\sigma", "rad", 0.0, 1.0, 0.3, "spread of the facets' tilts, Oren-Nayar", (0.0, PI / 2)),
+    "xi_1": Quantity(r"\xi_1", "", 0.0, 1.0, 0.5, "first random number of a sample", (1e-9, 0.99999)),
+    "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
+    "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
+    "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
 }
 
 

@@ -14,6 +14,7 @@ CATALOGUE = shader.catalogue()
 POINTS = 400
 TABLE_CORNERS = [TABLE[f"corner_{k}"].default for k in "abcde"]
 NAIVE = [name for name in CATALOGUE if name.endswith("_naive")]
+DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
 COUNTED = {"solid_angle_patch_counted", "meets_patch"}  # steps: a ray at the rim may fall on either side
 
 
@@ -44,6 +45,8 @@ def draw(name: str, rng: np.random.Generator, count: int = POINTS) -> np.ndarray
     for i, end in enumerate((q.low, q.high, low, high, q.default)):
         value[i] = end
     value = rng.permutation(value)
+    if name in DIRECTIONS:
+        value = value / np.linalg.norm(value, axis=-1, keepdims=True)
     return np.rint(value).astype(int) if q.kind == "int" else value.astype(np.float32).astype(float)
 
 
