@@ -193,6 +193,9 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
 }
 
+# Vectors that are no values of a step: they follow from its angles
+FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
+
 
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
