@@ -153,11 +153,17 @@ def half_reached(a: dict, rng) -> dict:
     return a | {"eta": f32(np.clip(a["eta"], 1.01, 5.0))}
 
 
+def not_along_the_surface(a: dict, rng) -> dict:
+    """Light that arrives: what leaves is taken over it."""
+    return a | {"theta_l": f32(np.minimum(a["theta_l"], 1.55))}
+
+
 JOINT = {  # arguments that belong together
     "angle_of_half": half_reached,
     "fibonacci_direction": below_samples,
     "ies_ring_flux": between_the_poles,
     "gauss_sample": of_its_level,
+    "highlight_flux": not_along_the_surface,
     "grid_sample": of_its_level,
     "irradiance_at": with_a_normal,
     "irradiance_panel_sampled": not_along_the_panel,
