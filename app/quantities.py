@@ -135,7 +135,7 @@ TABLE: dict[str, Quantity] = {
     "light_position": Quantity("p_L", "m", -2.0, 2.0, (0.4, -0.3, 1.0), "where the light is", kind="vec3"),
     "source_radius": Quantity("r_0", "m", 1e-3, 1.0, 0.05, "radius of the source", (1e-6, 100.0), "log"),
     "reach": Quantity("R", "m", 0.5, 20.0, 3.0, "distance from which on a light gives nothing", (1e-3, 1e4), "log"),
-    "exponent": Quantity("n", "", 0.0, 100.0, 4.0, "exponent of a cosine", extreme=(0.0, 1e5)),
+    "exponent": Quantity("n", "", 0.0, 100.0, 4.0, "exponent of a cosine", extreme=(0.0, 1e7)),
     "distribution": Quantity("f_e", "", 0, 2, 1, "which emission distribution", kind="int"),
     "off_axis": Quantity(r"\alpha", "rad", 0.0, PI / 2, 0.4, "angle from the beam's axis", extreme=(0.0, PI)),
     "cosine": Quantity(r"-l\cdot d", "", -1.0, 1.0, 0.9, "cosine of the angle from the beam's axis"),
@@ -191,6 +191,8 @@ TABLE: dict[str, Quantity] = {
     "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
+    # Phong and Blinn
+    "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
 }
 
 # Vectors that are no values of a step: they follow from its angles

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.optics import twin
+from app.optics.blinn_phong import _flux as _blinn_flux
 from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
@@ -155,7 +156,22 @@ def _f82_terms(l_dot_h, f0, f82):
     return schlick(l_dot_h, f0) + bend
 
 
+def _halfway_terms(n, l, v):
+    """The lengths of l and v are rounded, then what is common to l and -v goes: n.l |v| + n.v |l| over |s|."""
+    n, l, v = (np.asarray(x, float) for x in (n, l, v))
+    s = l * norm(v, True)[..., None] + v * norm(l, True)[..., None]
+    parts = np.abs(np.sum(n * l, -1)) * norm(v, True) + np.abs(np.sum(n * v, -1)) * norm(l, True)
+    return parts / np.maximum(norm(s, True), 1e-300)
+
+
+def _blinn_albedo_terms(theta_v, exponent):
+    return twin("normalisation_blinn_phong")(exponent) * _blinn_flux(theta_v, exponent, 1)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "albedo_blinn_phong": _blinn_albedo_terms,
+    "halfway_cosine": _halfway_terms,
+    "lobe_flux_blinn": lambda theta_v, exponent: _blinn_flux(theta_v, exponent, 1),
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_panel": _panel_terms,
@@ -210,4 +226,5 @@ def ratio(function: str, args: dict, got, precision: str = "float32", is_vector:
         off = norm(np.where(value == got, 0.0, got - value), is_vector)
         found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
                          np.where(off == 0, 0.0, off / (U[precision] * cost)))
+        found = np.where((size < SMALLEST[precision]) & (off < SMALLEST[precision]), 0.0, found)
     return np.where(np.isnan(found), np.inf, found)
