@@ -193,6 +193,12 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # Phong and Blinn
     "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    # the reflectance equation
+    "tile_rows": Quantity("N", "", 1, 24, 6, "rows of tiles from the pole to the horizon", (1, 32), "log", "int"),
+    "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),
+    "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
+    "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
+    "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
 }
 
 # Vectors that are no values of a step: they follow from its angles

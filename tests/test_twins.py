@@ -14,7 +14,7 @@ CATALOGUE = shader.catalogue()
 POINTS = 400
 TABLE_CORNERS = [TABLE[f"corner_{k}"].default for k in "abcde"]
 NAIVE = [name for name in CATALOGUE if name.endswith("_naive")]
-DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
+DIRECTIONS = {"n", "l", "v", "h", "to_sun"}  # unit vectors
 COUNTED = {"solid_angle_patch_counted", "meets_patch"}  # steps: a ray at the rim may fall on either side
 
 
@@ -156,6 +156,9 @@ def half_reached(a: dict, rng) -> dict:
 def not_along_the_surface(a: dict, rng) -> dict:
     """Light that arrives: what leaves is taken over it."""
     return a | {"theta_l": f32(np.minimum(a["theta_l"], 1.55))}
+def no_narrower_than_the_nodes(a: dict, rng) -> dict:
+    """A lobe that the nodes of a fixed quadrature can see."""
+    return a | {"exponent": f32(np.minimum(a["exponent"], 200.0))}
 
 
 JOINT = {  # arguments that belong together
@@ -177,6 +180,7 @@ JOINT = {  # arguments that belong together
     "radiant_intensity_cone": opened,
     "projected_solid_angle_patch": not_too_near,
     "projected_solid_angle_rectangle": in_order,
+    "reflected_radiance": no_narrower_than_the_nodes,
     "solid_angle_cell": between_the_poles,
     "solid_angle_corners": with_its_area,
     "solid_angle_face": shrunk,
@@ -185,6 +189,7 @@ JOINT = {  # arguments that belong together
     "solid_angle_triangle": shrunk,
     "spherical_rectangle_point": in_front,
     "strip_across": in_front,
+    "sun_share": no_narrower_than_the_nodes,
     "strip_angle": in_front,
     "strip_end": with_an_end,
     "solid_angle_triangle_edges": nearest_first,
