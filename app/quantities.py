@@ -169,6 +169,20 @@ TABLE: dict[str, Quantity] = {
     "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),
     "channel": Quantity("c", "", 0, 2, 0, "colour channel: red, green, blue", kind="int"),
     "wavelength_index": Quantity("j", "", 0, 11, 6, "which of twelve wavelengths", kind="int"),
+    # matter
+    "n": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "the surface normal, a unit vector", kind="vec3"),
+    "l": Quantity("l", "", -1.0, 1.0, (0.6, 0.0, 0.8), "unit vector to the light", kind="vec3"),
+    "v": Quantity("v", "", -1.0, 1.0, (-0.6, 0.0, 0.8), "unit vector to the eye", kind="vec3"),
+    "h": Quantity("h", "", -1.0, 1.0, (0.0, 0.0, 1.0), "halfway between l and v", kind="vec3"),
+    "theta_l": Quantity(r"\theta_l", "rad", 0.0, PI / 2, 0.6, "angle between the normal and the light"),
+    "theta_v": Quantity(r"\theta_v", "rad", 0.0, PI / 2, 0.6, "angle between the normal and the eye"),
+    "m": Quantity("m", "", 0.02, 1.0, 0.3, "RMS slope of the facets: roughness", extreme=(0.0, 10.0), scale="log"),
+    "alpha": Quantity(r"\alpha", "", 0.02, 1.0, 0.3, "width of the distribution GGX", extreme=(0.0, 10.0), scale="log"),
+    # distributions of facets
+    "theta_h": Quantity("a", "rad", 0.0, PI / 2, 0.2, "angle between the normal and a facet's normal"),
+    "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
+    "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
+    "cosines": Quantity("k", "", 0, 1, 1, "1: area as seen from above; 0: the facets' own area", kind="int"),
 }
 
 
