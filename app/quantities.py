@@ -191,6 +191,8 @@ TABLE: dict[str, Quantity] = {
     "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
+    # the geometry term
+    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times the tangent of an angle", (0.0, 1e30), "log"),
 }
 
 

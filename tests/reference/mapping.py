@@ -50,6 +50,11 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "fresnel.F0_from_ior": Twin("f0_from_eta"),
     "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
     "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
+    # the geometry term
+    "geometry.vgroove": Twin("vgroove_at"),
+    "smith.lambda_beckmann": Twin("lambda_beckmann_at", {"theta": "theta_v"}),
+    "smith.G1_beckmann": Twin("g1_beckmann_at", {"theta": "theta_v"}),
+    "smith.lambda_ggx": Twin("lambda_ggx_at", {"theta": "theta_v", "a": "alpha"}),
 }
 
 
