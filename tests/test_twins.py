@@ -14,6 +14,7 @@ CATALOGUE = shader.catalogue()
 POINTS = 400
 TABLE_CORNERS = [TABLE[f"corner_{k}"].default for k in "abcde"]
 NAIVE = [name for name in CATALOGUE if name.endswith("_naive")]
+DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
 COUNTED = {"solid_angle_patch_counted", "meets_patch"}  # steps: a ray at the rim may fall on either side
 
 
@@ -44,6 +45,8 @@ def draw(name: str, rng: np.random.Generator, count: int = POINTS) -> np.ndarray
     for i, end in enumerate((q.low, q.high, low, high, q.default)):
         value[i] = end
     value = rng.permutation(value)
+    if name in DIRECTIONS:
+        value = value / np.linalg.norm(value, axis=-1, keepdims=True)
     return np.rint(value).astype(int) if q.kind == "int" else value.astype(np.float32).astype(float)
 
 
@@ -175,9 +178,10 @@ def mirrored(a: dict, rng) -> dict:
 
 
 JOINT = {  # arguments that belong together
-    **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "cook_torrance_dg", "d_beckmann",
-                     "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx", "slope_squared"), facing),
-    **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at"), mirrored),
+    **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
+                     "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
+                     "slope_squared"), facing),
+    **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at"), mirrored),
     "angle_of_half": half_reached,
     "fibonacci_direction": below_samples,
     "ies_ring_flux": between_the_poles,
