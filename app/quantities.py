@@ -191,6 +191,11 @@ TABLE: dict[str, Quantity] = {
     "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
+    # grooves and rough diffuse surfaces
+    "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),
+    "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
+    "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
+    "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
 }
 
 
