@@ -196,6 +196,13 @@ TABLE: dict[str, Quantity] = {
     "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
     "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
     "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
+    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness of a diffuse surface, EON"),
+    "disk_x": Quantity("x", "", -1.0, 1.0, 0.0, "place on the disk of a ball, from its middle to its rim at 1"),
+    "phase": Quantity(r"\gamma", "rad", 0.0, 1.4, 0.0, "angle between the light and the eye", extreme=(0.0, 1.5)),
+    "facets": Quantity("N", "", 100, 10000, 10000, "number of facets", (1, 20000), "log", "int"),
+    "place": Quantity("i", "", 0, 9999, 0, "number of a place on the plate", kind="int"),
+    "zoom": Quantity("Z", "", 1.0, 200.0, 1.0, "how much the plate is enlarged", scale="log"),
+    "groove_width": Quantity("w", "µm", 5.0, 100.0, 20.0, "width of a groove", (0.1, 1000.0), "log"),
 }
 
 

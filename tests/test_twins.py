@@ -6,6 +6,7 @@ import pytest
 from app import optics, shader
 from app.gpu.context import program
 from app.gpu.evaluate import WIDTH, evaluate, point_program
+from app.optics.facets import _ring
 from app.quantities import TABLE
 from app.tables import built_in
 from app.tolerance import FACTOR, ratio
@@ -15,9 +16,11 @@ POINTS = 400
 TABLE_CORNERS = [TABLE[f"corner_{k}"].default for k in "abcde"]
 NAIVE = [name for name in CATALOGUE if name.endswith("_naive")]
 DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
-# Steps: a ray at the rim may fall on either side; what all rays together give
-COUNTED = {"solid_angle_patch_counted": 4 * np.pi, "meets_patch": 1, "groove_blocked": 1, "groove_hidden_counted": 1,
-           "groove_open_counted": 1}
+# Steps: a ray at the rim may fall on either side. How many rays are 1, of those that give not their number itself
+COUNTED = {"solid_angle_patch_counted": lambda a: a["samples"] / (4 * np.pi), "meets_patch": None,
+           "groove_blocked": None, "groove_hidden_counted": lambda a: a["samples"],
+           "groove_open_counted": lambda a: a["samples"], "facets_lit": None,
+           "d_counted": lambda a: a["facets"] * _ring(a["theta_h"], a["half_angle"])}
 
 
 def cube(half: float = 1.0) -> np.ndarray:
@@ -155,8 +158,19 @@ def half_reached(a: dict, rng) -> dict:
     return a | {"eta": f32(np.clip(a["eta"], 1.01, 5.0))}
 
 
+def of_a_ring(a: dict, rng) -> dict:
+    return a | {"half_angle": f32(np.clip(a["half_angle"], 0.003, 0.5))}
+
+
+def of_the_facets(a: dict, rng) -> dict:
+    return a | {"index": a["index"] % a["facets"]}
+
+
 JOINT = {  # arguments that belong together
     "angle_of_half": half_reached,
+    "d_counted": of_a_ring,
+    "facet_normal": of_the_facets,
+    "facet_slope": of_the_facets,
     "fibonacci_direction": below_samples,
     "ies_ring_flux": between_the_poles,
     "gauss_sample": of_its_level,
@@ -290,7 +304,7 @@ def test_counts_differ_by_rays_at_the_rim_only(name, ctx):
     args = arguments(name, rng)
     if "samples" in args:
         args |= {"samples": np.minimum(args["samples"], 4096)}
-    hits = args.get("samples", 1) / COUNTED[name]
+    hits = COUNTED[name](args) if COUNTED[name] else 1
     off = np.abs(evaluate(name, args, ctx=ctx) - optics.twin(name)(**args)) * hits
     assert np.count_nonzero(off > 0.5) <= POINTS // 50
     assert off.max() <= 4.5

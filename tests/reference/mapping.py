@@ -50,6 +50,11 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "fresnel.F0_from_ior": Twin("f0_from_eta"),
     "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
     "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
+    # rough diffuse surfaces
+    "brdf.oren_nayar_qualitative": Twin("brdf_oren_nayar_at"),
+    "brdf.EON": Twin("brdf_eon_at", {"r": "roughness"}),
+    "albedo.FON": Twin("albedo_fon", {"r": "roughness", "mu": "n_dot_v"}),
+    "albedo.EON": Twin("albedo_eon", {"r": "roughness", "mu": "n_dot_v"}),
 }
 
 
