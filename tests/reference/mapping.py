@@ -69,6 +69,11 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "smith.lambda_beckmann": Twin("lambda_beckmann_at", {"theta": "theta_v"}),
     "smith.G1_beckmann": Twin("g1_beckmann_at", {"theta": "theta_v"}),
     "smith.lambda_ggx": Twin("lambda_ggx_at", {"theta": "theta_v", "a": "alpha"}),
+    # rough diffuse surfaces
+    "brdf.oren_nayar_qualitative": Twin("brdf_oren_nayar_at"),
+    "brdf.EON": Twin("brdf_eon_at", {"r": "roughness"}),
+    "albedo.FON": Twin("albedo_fon", {"r": "roughness", "mu": "n_dot_v"}),
+    "albedo.EON": Twin("albedo_eon", {"r": "roughness", "mu": "n_dot_v"}),
 }
 
 
