@@ -211,6 +211,9 @@ TABLE: dict[str, Quantity] = {
     "groove_width": Quantity("w", "µm", 5.0, 100.0, 20.0, "width of a groove", (0.1, 1000.0), "log"),
 }
 
+# Vectors that are no values of a step: they follow from its angles
+FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
+
 
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
