@@ -192,7 +192,10 @@ TABLE: dict[str, Quantity] = {
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # the geometry term
-    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times the tangent of an angle", (0.0, 1e30), "log"),
+    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times an angle's tangent", (0.0, 1e30), "log"),
+    "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
+    "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
+    "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
 }
 
 

@@ -155,6 +155,10 @@ def _f82_terms(l_dot_h, f0, f82):
     return schlick(l_dot_h, f0) + bend
 
 
+def _ones(**args):
+    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
@@ -187,9 +191,11 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
-    "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
+    "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 
