@@ -10,10 +10,13 @@ from collections.abc import Callable
 import numpy as np
 
 from app.optics import twin
+from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
+from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle import _dot, _fan
+from app.optics.spherical import direction
 from app.quantities import TABLE
 
 U = {"float64": 2.0**-53, "float32": 2.0**-24}
@@ -159,6 +162,20 @@ def _ones(**args):
     return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
 
 
+def _facet_area_terms(ndf, m, rows, cosines):
+    """Every ring's angle is rounded, and a narrow D with it."""
+    ndf, a, m, d, weight = _rings(ndf, m, rows, cosines)
+    change = d_at(ndf, a * (1 + STEP), m) - d_at(ndf, a * (1 - STEP), m)
+    return np.sum(np.abs(change) / (2 * STEP) * weight, -1)
+
+
+def _schlick_terms(theta_l, theta_v, phi, m, f0):
+    """1 - l.h is a difference, and with f0 near 0 there is nothing beside its power."""
+    l_dot_h = _l_dot_h(direction(theta_l, phi), direction(theta_v, 0.0))
+    all_of_it = twin("cook_torrance_at")(theta_l, theta_v, phi, m, 1.0)
+    return all_of_it * 5 * (1 - f0) * np.maximum(0, 1 - l_dot_h) ** 4
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
@@ -196,6 +213,10 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
     # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
     **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
+    "cook_torrance_at": _schlick_terms,
+    "cook_torrance_printed_at": lambda **args: 4 / np.pi * _schlick_terms(**args),
+    "albedo_cook_torrance": lambda **args: twin("albedo_cook_torrance")(**args),  # of 1440 terms, each at its own angle
+    "facet_area": _facet_area_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -119,7 +119,7 @@ def albedo_without_g(theta_v, m):
     theta_v, m = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta_v, m)))
     t = capped_tangent(theta_v)
     first, last = _cuts(t)
-    x, weight = _tilts(first / m, last / m)
+    x, weight = _tilts(first / np.maximum(m, 1e-30), last / np.maximum(m, 1e-30))
     steep = m[..., None] * x
     phi, side = np.moveaxis(sinking_azimuth(steep, t[..., None]), -1, 0)
     return np.sum(weight * 2 * x * np.exp(-x * x) * (phi + steep * t[..., None] * side), -1) / pi
@@ -143,7 +143,7 @@ def albedo_smith(theta_v, m, geometry):
     theta_v, m, geometry = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta_v, m, geometry)))
     t = capped_tangent(theta_v)
     first, last = _cuts(t)
-    x, weight = _tilts(first / m, last / m)
+    x, weight = _tilts(first / np.maximum(m, 1e-30), last / np.maximum(m, 1e-30))
     steep = (m[..., None] * x)[..., None]
     phi = sinking_azimuth(steep, t[..., None, None])[..., 0]
     lit = 1 + steep * t[..., None, None] * np.cos(phi * _NODES)

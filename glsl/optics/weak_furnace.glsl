@@ -47,7 +47,7 @@ float albedo_without_g(float theta_v, float m) {
     // Cook & Torrance 1982 with 1/4 for 1/pi, F = 1 and G = 1: int D / (4 n.v) dw_l over the hemisphere
     float t = capped_tangent(theta_v), half_way = t + sqrt(1.0 + t * t), piece = 0.0, sum = 0.0;
     for (int i = 0; i < TILTS; i++) {
-        vec2 x = tilt_node(i, 1.0 / (half_way * m), half_way / m);
+        vec2 x = tilt_node(i, 1.0 / (half_way * max(m, 1e-30)), half_way / max(m, 1e-30));
         vec2 turned = sinking_azimuth(m * x.x, t);
         piece += x.y * 2.0 * x.x * exp(-x.x * x.x) * (turned.x + m * x.x * t * turned.y);
         if (i % 12 == 11) sum += piece, piece = 0.0; // rounding stays small
@@ -59,7 +59,7 @@ float albedo_smith(float theta_v, float m, int geometry) {
     // Walter et al. 2007, Heitz 2014: the same with Smith's G, 3 correlated, else separable
     float t = capped_tangent(theta_v), half_way = t + sqrt(1.0 + t * t), n_dot_v = max(cos(theta_v), 1e-7), piece = 0.0, sum = 0.0;
     for (int i = 0; i < TILTS; i++) {
-        vec2 x = tilt_node(i, 1.0 / (half_way * m), half_way / m);
+        vec2 x = tilt_node(i, 1.0 / (half_way * max(m, 1e-30)), half_way / max(m, 1e-30));
         float steep = m * x.x, phi = sinking_azimuth(steep, t).x, ring = 0.0;
         for (int j = 0; j < 12; j++) {
             float lit = 1.0 + steep * t * cos(phi * GAUSS_X[j]);
