@@ -217,6 +217,11 @@ TABLE: dict[str, Quantity] = {
     "place": Quantity("i", "", 0, 9999, 0, "number of a place on the plate", kind="int"),
     "zoom": Quantity("Z", "", 1.0, 200.0, 1.0, "how much the plate is enlarged", scale="log"),
     "groove_width": Quantity("w", "µm", 5.0, 100.0, 20.0, "width of a groove", (0.1, 1000.0), "log"),
+    # the geometry term
+    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times an angle's tangent", (0.0, 1e30), "log"),
+    "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
+    "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
+    "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
 }
 
 # Vectors that are no values of a step: they follow from its angles

@@ -177,6 +177,10 @@ def _sky_terms(function):
     return lambda exponent, **args: twin(function)(exponent=exponent, **args) * (64 + exponent)
 
 
+def _ones(**args):
+    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
+
+
 def _facet_area_terms(ndf, m, rows, cosines):
     """Every ring's angle is rounded, and a narrow D with it."""
     ndf, a, m, _, weight = _rings(ndf, m, rows, cosines)
@@ -228,13 +232,15 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
     **{name: _sky_terms(name) for name in ("reflected_radiance", "reflected_radiance_sum", "sun_share")},
-    "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
-    "f_f82": _f82_terms,
-    "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
     "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
+    "f_conductor": _ones,  # r_s, r_p
+    "f_f82": _f82_terms,
+    "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
     "facet_area": _facet_area_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
