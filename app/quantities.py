@@ -199,8 +199,6 @@ TABLE: dict[str, Quantity] = {
     "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
     "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
     "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
-    # the geometry term
-    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times a tangent", (0.0, 1e30), "log"),
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
