@@ -251,7 +251,7 @@ class Lobes(Worded):
     title: str
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
-    camera: Camera = Camera(azimuth=-90, elevation=16, distance=4.7, target=(0.0, 0.0, 0.42))
+    camera: Camera = Camera(azimuth=-90, elevation=16, distance=4.3, target=(0.0, 0.0, 0.42))
 
 
 @dataclass(frozen=True)

@@ -15,14 +15,14 @@ from app.plots.ticks import nice, number
 from app.plots.words import Entry, labelled
 
 ROWS, COLUMNS = 64, 128
-DECADES = 4  # from the largest power of ten down to the middle, on a logarithmic scale
+DECADES = 4, 8  # from the largest power of ten down to the middle, on a logarithmic scale: as few as show all lobes
 REACH = 1.22  # how long the arrows are; a lobe's longest is 1
 
 
 class LobesPart:
     def __init__(self, plot: Lobes, look: Look):
         self.plot, self.look = plot, look
-        self.top, self.scale = 0.0, -1
+        self.top, self.scale, self.decades = 0.0, -1, DECADES[0]
         self.shown: list[Lit] = []
         self.kept: list = []
         self.legend: Legend | None = None
@@ -35,8 +35,8 @@ class LobesPart:
         if self.legend is None:
             return None
         unit = self.shown[0].unit if self.shown else ""
-        steps = "each ring a tenth" if self.scale == 2 else "in quarters"
-        return self.legend.strip(self.shown, f"rings: {number(self.top)}{unit} outside, {steps}")
+        steps = "in quarters" if self.scale != 2 else "each a tenth" if self.decades == 4 else "each a hundredth"
+        return self.legend.strip(self.shown, f"outer ring {number(self.top)}{unit}, {steps}")
 
     def prepare(self, values: dict) -> None:
         self.shown = lit(self.plot.models, values, self.plot.over)
@@ -98,12 +98,14 @@ class LobesPart:
                 self.top = 1.0
             else:
                 self.top = 10.0 ** math.ceil(math.log10(most) - 1e-9) if scale == 2 else nice(most)
+        least = min((peak for peak in peaks if peak > 0), default=self.top)
+        self.decades = DECADES[int(least < self.top * 10.0 ** (1 - DECADES[0]))]
 
     def radius(self, f) -> np.ndarray:
         share = np.maximum(np.nan_to_num(np.asarray(f, float), posinf=0, neginf=0), 0) / self.top
         if self.scale != 2:
             return share
-        return np.clip(1 + np.log10(np.maximum(share, 1e-30)) / DECADES, 0, 1)
+        return np.clip(1 + np.log10(np.maximum(share, 1e-30)) / self.decades, 0, 1)
 
     def place(self, mesh: pv.PolyData, outline: pv.PolyData, d: np.ndarray, f: np.ndarray) -> None:
         points = d * self.radius(f)[..., None]

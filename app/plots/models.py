@@ -146,4 +146,4 @@ class Legend:
 
 def dot(look: Look) -> float:
     """px across of the mark of the picked direction."""
-    return 2.0 * dot_size(look)
+    return 1.7 * dot_size(look)
