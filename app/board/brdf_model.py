@@ -20,7 +20,7 @@ def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
     """The file's GLSL with its parameters as uniforms, every name of its top level behind the prefix."""
     text, first = file.shader.text, file.shader.first
     names = {name for block in shader.blocks(shader.resolve(text, file.path, first)) for name in block.names}
-    names |= {p.name for p in file.parameters}
+    names = (names | {p.name for p in file.parameters}) - {shader.ALWAYS}
     if not names:
         return file.shader
     word = re.compile(rf"(?<![.\w])({'|'.join(map(re.escape, sorted(names)))})(?!\w)")
@@ -35,8 +35,10 @@ def uniforms(file: BrdfFile, prefix: str) -> str:
 class BrdfModel:
     def __init__(self, file: BrdfFile, number: int = 0):
         self.file, self.prefix = file, f"model{number}_"
+        self.name, self.parameters = file.name, file.parameters
         source = prefixed(file, self.prefix)
-        call = f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) {{ return {self.prefix}BRDF(l, v, n, x, y); }}"
+        call = (f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) "
+                f"{{ return {self.prefix}BRDF(l, v, n, x, y); }}")
         self.text = "\n".join([uniforms(file, self.prefix), '#include "model"', call])
         self.overrides = {"model": source}
 
@@ -53,13 +55,14 @@ class BrdfModel:
             raise Problem(str(problem).replace(self.prefix, "")) from None
 
     def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
-        """The worst of the three channels; a grey model is asked once."""
+        """The worst of the three channels; a grey model is asked once. Below the horizon a file's word counts nothing:
+        the explorer never asks there."""
         grey = True
         found = []
         for channel in range(3):
             def reflect(n, l, v, channel=channel):
                 nonlocal grey
-                rgb = self.rgb(n, l, v, values)
+                rgb = np.where(above(l, v), self.rgb(n, l, v, values), 0)
                 grey &= bool(np.array_equal(rgb, rgb[..., :1] + 0 * rgb, equal_nan=True))
                 return rgb[..., channel]
 
@@ -67,6 +70,10 @@ class BrdfModel:
             if grey:
                 break
         return {name: max((badges[name] for badges in found), key=lambda b: severity(name, b)) for name in found[0]}
+
+
+def above(l, v) -> np.ndarray:
+    return ((l[..., 2] > 0) & (v[..., 2] > 0))[..., None]
 
 
 def severity(name: str, badge: Badge) -> tuple[bool, float]:

@@ -1,4 +1,4 @@
-"""A BRDF of the course by its short name, `cook_torrance` for `brdf_cook_torrance`, as an object like a file's model."""
+"""A BRDF of the course by its short name (`cook_torrance` for `brdf_cook_torrance`), like a file's model."""
 
 from dataclasses import dataclass
 
