@@ -61,7 +61,8 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
     corner = f(NORMAL, corner_l, corner_v)
     every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
     return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v, same),
-            "energy": energy(f), "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
+            "energy": energy(f), "finite": finite(*every),
+            "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
