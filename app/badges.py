@@ -28,7 +28,10 @@ from app.readouts import three
 from app.terms import bound, evaluate
 
 NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
-SHORT = dict(zip(NAMES, ("≥ 0", "swap", "energy", "finite", "linear"), strict=True))  # where there is little room
+SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=True))  # where there is little room
+ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
+                         "Does it send on at most what comes, for every angle of the eye?",
+                         "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
 VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme

@@ -8,11 +8,12 @@ from concurrent.futures import Future, ThreadPoolExecutor
 
 from imgui_bundle import ImVec2, imgui
 
-from app.badges import NAMES, SHORT, Badge, key, of_model, told
+from app.badges import ASKED, NAMES, SHORT, Badge, key, of_model, told
 from app.lesson import Model
 from app.theme import colour
 from app.viewer import glfw, style
 
+SMALL = 0.9  # of the text
 KEPT = 64  # results, so that a slider's way back costs nothing
 
 
@@ -37,20 +38,22 @@ class BadgesPanel:
         if not hidden:
             self.ask(found.step.models, values)
         imgui.spacing()
-        flags = imgui.TableFlags_.sizing_stretch_prop | imgui.TableFlags_.pad_outer_x
-        if not imgui.begin_table("badges", 1 + len(NAMES), flags):
-            return
-        imgui.table_setup_column("model", 0, 2.6)
-        for name in NAMES:
-            imgui.table_setup_column(name, 0, 1.0)
-        imgui.table_next_row()
-        for name in NAMES:
-            imgui.table_set_column_index(1 + NAMES.index(name))
-            middle(SHORT[name])
-            imgui.text_disabled(SHORT[name])
-        for model in found.step.models:
-            self.row(found.id, model, values, hidden)
-        imgui.end_table()
+        imgui.push_font(None, SMALL * imgui.get_style().font_size_base)
+        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
+        if imgui.begin_table("badges", 1 + len(NAMES), flags):
+            imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
+            for name in NAMES:
+                imgui.table_setup_column(name)
+            imgui.table_next_row()
+            for i, name in enumerate(NAMES, 1):
+                imgui.table_set_column_index(i)
+                imgui.text_disabled(SHORT[name])
+                if imgui.is_item_hovered():
+                    imgui.set_tooltip(ASKED[name])
+            for model in found.step.models:
+                self.row(found.id, model, values, hidden)
+            imgui.end_table()
+        imgui.pop_font()
 
     def row(self, step: str, model: Model, values: dict, hidden: bool) -> None:
         now = self.known.get(key(model, values))
@@ -67,6 +70,7 @@ class BadgesPanel:
         for name in NAMES:
             imgui.table_next_column()
             badge = shown[name] if isinstance(shown, dict) and not hidden else None
+            middle(imgui.calc_text_size(SHORT[name]).x)
             self.badge(f"{model.label}{name}", badge, faded=now is None)
             if not imgui.is_item_hovered() or hidden:
                 continue
@@ -78,7 +82,6 @@ class BadgesPanel:
     def badge(self, id: str, badge: Badge | None, faded: bool) -> None:
         """A round one with a tick, a square one with a cross, or an empty ring; never by colour alone."""
         size, theme, draw = imgui.get_font_size(), self.app.theme, imgui.get_window_draw_list()
-        middle("", size)
         at, r = imgui.get_cursor_screen_pos(), 0.46 * size
         if imgui.invisible_button(id, ImVec2(1.05 * size, 1.05 * size)) and badge is not None and badge.at:
             self.app.stand(badge.at)
@@ -132,7 +135,6 @@ def job(wanted: tuple, model: Model, values: dict) -> tuple[tuple, dict[str, Bad
         return wanted, f"{type(error).__name__}: {error}"
 
 
-def middle(text: str, width: float = 0.0) -> None:
-    """The cursor where something of this width stands in the middle of its column."""
-    left = 0.5 * (imgui.get_content_region_avail().x - (width or imgui.calc_text_size(text).x))
-    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(0.0, left))
+def middle(width: float) -> None:
+    """The cursor where a badge stands in the middle of this width."""
+    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(0.0, 0.5 * (width - imgui.get_font_size())))
