@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 from app.catalog import ValueSpec
 from app.lesson import Number
 from app.quantities import shown
+from app.spoken import said, words
 from app.typed import digits
 from app.viewer import style
 
@@ -29,9 +30,13 @@ def draw(app) -> None:
     imgui.end_disabled()
 
 
+def label(spec: ValueSpec) -> str:
+    return said(spec.name) if spec.choices else words(spec.name)
+
+
 def label_width(specs: Iterable[ValueSpec]) -> float:
     unit = imgui.get_font_size()
-    return min(max((imgui.calc_text_size(words(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
+    return min(max((imgui.calc_text_size(label(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
 
 
 def height(specs: Iterable[ValueSpec], room: float) -> float:
@@ -58,7 +63,7 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
 
 def row(app, spec: ValueSpec, width: float) -> None:
     imgui.align_text_to_frame_padding()
-    imgui.text(words(spec))
+    imgui.text(label(spec))
     tool_tip(spec)
     imgui.same_line(width)
     imgui.set_next_item_width(-1)
@@ -74,14 +79,6 @@ def row(app, spec: ValueSpec, width: float) -> None:
         if imgui.is_mouse_double_clicked(0) and not spec.choices:
             app.session.reset(spec.name)
         tool_tip(spec)
-
-
-GREEK = {"theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η"}
-
-
-def words(spec: ValueSpec) -> str:
-    """The name a person reads: distance, half angle, angle θ."""
-    return GREEK.get(spec.name, spec.name.replace("_", " "))
 
 
 def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
@@ -138,7 +135,7 @@ def tool_tip(spec: ValueSpec) -> None:
     low, high, first = (text(spec, x) for x in (spec.low, spec.high, spec.default))
     gap = "" if unit in ("", "°") else " "
     imgui.set_tooltip(
-        f"{words(spec)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
+        f"{words(spec.name)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
         "Ctrl+click to type, double click to reset."
     )
 
