@@ -193,6 +193,7 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # Phong and Blinn
     "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    "complaint": Quantity("k", "", 0, 4, 2, "which complaint about Blinn-Phong", kind="int"),
 }
 
 

@@ -81,6 +81,12 @@ float albedo_blinn_phong(float theta_v, float exponent) {
     return normalisation_blinn_phong(exponent) * lobe_flux_blinn(theta_v, exponent);
 }
 
+float albedo_blinn_phong_limit(float theta_v) {
+    // Blinn-Phong BRDF (1), for an exponent without end
+    float c = cos(theta_v);
+    return c * c;
+}
+
 float half_width_blinn(float exponent) {
     // Fisher and Woo 1994, R.E versus N.H Specular Highlights
     return 2.0 * half_width_phong(exponent);
@@ -89,6 +95,11 @@ float half_width_blinn(float exponent) {
 float blinn_exponent(float exponent) {
     // Fisher and Woo 1994: as wide as a Phong highlight, in the plane of incidence
     return 1.38629436112 / -log_one_less(0.5 * one_less_exp(0.69314718056 / max(exponent, 1e-30)));
+}
+
+float blinn_exponent_short(float exponent) {
+    // Fisher and Woo 1994: the rule of thumb
+    return 4.0 * exponent;
 }
 
 float highlight_stretch(float theta_v) {
