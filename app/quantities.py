@@ -201,6 +201,9 @@ TABLE: dict[str, Quantity] = {
     "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
 }
 
+# Vectors that are no values of a step: they follow from its angles
+FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
+
 
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
