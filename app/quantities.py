@@ -198,6 +198,8 @@ TABLE: dict[str, Quantity] = {
     "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),
     "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
     "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
+    "flaw": Quantity("k", "", 0, 5, 0, "what is wrong with the BRDF", kind="int"),
+    "weight": Quantity("k", "", 0, 1, 1, "1: the integral has the cosine", kind="int"),
     "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
 }
 

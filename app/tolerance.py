@@ -168,9 +168,9 @@ def _blinn_albedo_terms(theta_v, exponent):
     return twin("normalisation_blinn_phong")(exponent) * _blinn_flux(theta_v, exponent, 1)
 
 
-def _sky_terms(function):
+def _sky_terms(function, glow=64):
     """Directions are rounded on the way: the sun's glow, a power of 128 of half an angle's cosine, moves by 64 u."""
-    return lambda exponent, **args: twin(function)(exponent=exponent, **args) * (64 + exponent)
+    return lambda exponent, **args: np.abs(twin(function)(exponent=exponent, **args)) * (glow + exponent)
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
@@ -208,6 +208,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
+    "hemisphere_meter": _sky_terms("hemisphere_meter", 0),
     **{name: _sky_terms(name) for name in ("reflected_radiance", "reflected_radiance_sum", "sun_share")},
     "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
     "f_f82": _f82_terms,

@@ -161,6 +161,7 @@ def no_narrower_than_the_nodes(a: dict, rng) -> dict:
 JOINT = {  # arguments that belong together
     "angle_of_half": half_reached,
     "fibonacci_direction": below_samples,
+    "hemisphere_meter": no_narrower_than_the_nodes,
     "ies_ring_flux": between_the_poles,
     "gauss_sample": of_its_level,
     "grid_sample": of_its_level,
