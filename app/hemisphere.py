@@ -18,11 +18,11 @@ def rim(pole, way) -> np.ndarray:
     return np.arctan2(np.maximum(np.asarray(pole)[..., 2], 0), -np.asarray(way)[..., 2])
 
 
-def around(pole, s, t, width: float) -> tuple[np.ndarray, np.ndarray]:
+def around(pole, s, t, width) -> tuple[np.ndarray, np.ndarray]:
     """Directions (..., 3), and the solid angle of each per unit of the square (s, t).
 
     s goes once around the pole (..., 3), t along great circles to the horizon, by width sinh(c t): steps grow with the
-    distance from the pole once that is more than `width` (rad).
+    distance from the pole once that is more than `width` (..., rad).
     """
     across, along = frame(pole)
     turn = 2 * np.pi * np.asarray(s)[..., None]
@@ -36,3 +36,16 @@ def around(pole, s, t, width: float) -> tuple[np.ndarray, np.ndarray]:
 def apart(p, q) -> np.ndarray:
     """The angle between unit vectors, also a tiny one (Kahan 2006)."""
     return 2 * np.arctan2(np.linalg.norm(p - q, axis=-1), np.linalg.norm(p + q, axis=-1))
+
+
+def halves(v, s, t, width) -> tuple[np.ndarray, np.ndarray]:
+    """The same grid about the normal, of halfway vectors h: directions l = 2 (v.h) h - v, and their solid angle, which
+    is 0 for those below the horizon and those that v sees from behind."""
+    stretch = np.arcsinh(0.5 * np.pi / width)
+    angle = width * np.sinh(t * stretch)
+    turn = 2 * np.pi * np.asarray(s)
+    h = np.stack([np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle) + 0 * turn], -1)
+    v_dot_h = np.sum(v * h, -1)
+    d = 2 * v_dot_h[..., None] * h - v
+    size = 8 * np.pi * np.sin(angle) * stretch * np.hypot(width, angle) * v_dot_h
+    return d, np.where((d[..., 2] > 0) & (v_dot_h > 0), size, 0.0)

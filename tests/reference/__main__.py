@@ -36,7 +36,8 @@ def read(path: Path) -> list[dict]:
 def numbers(record: dict, twin: Twin) -> tuple[dict, float, float]:
     """Arguments, value and condition number of a record."""
     try:
-        args = {twin.inputs.get(k, k): np.array(v, float) for k, v in record["inputs"].items()}
+        args = {twin.inputs.get(k, k): np.array(v, float) * (np.pi / 180 if k in twin.degrees else 1)
+                for k, v in record["inputs"].items()}
         value, cond = float(record["value"]), record.get("cond")
         cond = np.nan if cond is None else float(cond)
     except (ValueError, TypeError, AttributeError) as error:
