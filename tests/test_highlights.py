@@ -7,6 +7,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from app import badges
+from app.lesson import Model, Term
 from app.optics import blinn_phong as b
 from app.optics import complaint, highlight
 from app.optics import phong as p
@@ -160,6 +162,31 @@ def test_complaints():
     rim = complaint.complaint_truth(np.arange(3), math.pi / 2)
     assert rim == pytest.approx([1, 1, 1], abs=1e-9)
     assert complaint.complaint_model(3, 0.0) == pytest.approx(math.sqrt(0.5), abs=2e-3)
+
+
+RED = {  # a model, k_d, k_s, exponent, and what theory makes red, with the worst value
+    ("brdf_phong_printed", 0.0, 1.0, 5.0): {"reciprocal": 0.954, "energy": math.pi / 3},
+    ("brdf_phong_printed", 0.25, 0.6, 20.0): {"reciprocal": 0.863},
+    ("shading_phong", 0.7, 0.6, 50.0): {"reciprocal": 0.761, "energy": 0.7 * math.pi + 0.6 * 2 * math.pi / 51},
+    ("brdf_phong", 0.3, 0.7, 1e7): {},
+    ("brdf_phong", 0.7, 0.6, 50.0): {"energy": 1.3},
+    ("brdf_blinn_phong_printed", 0.0, 1.0, 5.0): {"reciprocal": 0.963, "energy": 3.273},
+    ("shading_blinn_phong", 0.0, 1.0, 5.0): {"reciprocal": 0.963, "energy": 3.273},
+    ("brdf_blinn_phong", 0.3, 0.7, 0.0): {},
+    ("brdf_blinn_phong", 0.3, 0.7, 1e7): {},
+    ("brdf_blinn_phong", 0.7, 0.6, 50.0): {"energy": 1.3},
+    ("brdf_blinn_phong_as_wide", 0.0, 1.0, 150.0): {},
+}
+
+
+@pytest.mark.parametrize("case", RED, ids=str)
+def test_badges_are_red_where_theory_says_so(case):
+    """As printed along the normal the lobe alone gives back int cos^e dw = 2 pi / (e + 1) (Phong); the rest measured."""
+    function, k_d, k_s, exponent = case
+    found = badges.of_model(Model("", Term(function)), {"k_d": k_d, "k_s": k_s, "exponent": exponent})
+    assert {name for name, badge in found.items() if not badge.ok} == set(RED[case])
+    for name, worst in RED[case].items():
+        assert found[name].worst == pytest.approx(worst, rel=2e-3), name
 
 
 # --- the sampler -----------------------------------------------------------------------------------------------------

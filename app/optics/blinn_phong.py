@@ -172,6 +172,17 @@ def albedo_blinn_phong_limit(theta_v):
     return np.cos(np.asarray(theta_v, float)) ** 2
 
 
+def brdf_blinn_phong_as_wide(n, l, v, k_d, k_s, exponent):
+    """The Blinn-Phong BRDF whose highlight is as wide, in the plane of incidence, as the Phong one's of this exponent.
+
+    brdf_blinn_phong with blinn_exponent(exponent)
+
+    n, l, v (..., 3) unit, k_d, k_s, exponent (...). Returns (...) 1/sr. Errors: none. Source: deck, Blinn-Phong
+    BRDF (2); Fisher and Woo 1994.
+    """
+    return brdf_blinn_phong(n, l, v, k_d, k_s, blinn_exponent(exponent))
+
+
 def half_width_blinn(exponent):
     """How far from the mirror direction a Blinn highlight has half its height, in the plane of incidence.
 

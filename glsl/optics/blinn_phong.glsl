@@ -102,6 +102,11 @@ float blinn_exponent_short(float exponent) {
     return 4.0 * exponent;
 }
 
+float brdf_blinn_phong_as_wide(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
+    // Blinn-Phong BRDF (2), its highlight as wide as Phong's of this exponent
+    return brdf_blinn_phong(n, l, v, k_d, k_s, blinn_exponent(exponent));
+}
+
 float highlight_stretch(float theta_v) {
     // Ngan, Durand and Matusik 2005, Experimental Analysis of BRDF Models
     return 1.0 / cos(theta_v);
