@@ -27,7 +27,7 @@ def brdf_paint(n, l, v, channel, k_s, exponent):
 def brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
     """A diffuse part and a highlight, as brdf_phong, times the incoming radiance; with one of five flaws.
 
-    L (body + gloss), gloss = brdf_phong(n, l, v, 0, k_s, exponent), body = k_d / pi, and by flaw 1: body - k_d / 2,
+    L (body + gloss), gloss = brdf_phong(n, l, v, 0, k_s, exponent), body = k_d / pi, and by flaw 1: body - k_d,
     2: body (1 - (1 - n.l)^2), 3: k_d, 4: min(1, L (body + gloss)), 5: body (1 + cos(azimuth of l from v) / 2)
 
     n, l, v (..., 3) unit, radiance (...) W/(m^2 sr), flaw (...) int, k_d, k_s (...) shares, exponent (...) >= 0.
@@ -41,7 +41,7 @@ def brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
     with np.errstate(invalid="ignore"):
         turned = np.sum(a * b, -1) / np.sqrt(np.sum(a * a, -1) * np.sum(b * b, -1))
     away = 1 - n_dot_l
-    bodies = k_d / pi - 0.5 * k_d, k_d / pi * (1 - away * away), k_d + 0 * away, k_d / pi * (1 + 0.5 * turned)
+    bodies = k_d / pi - k_d, k_d / pi * (1 - away * away), k_d + 0 * away, k_d / pi * (1 + 0.5 * turned)
     body = np.select([flaw == 1, flaw == 2, flaw == 3, flaw == 5], bodies, k_d / pi)
     value = radiance * (body + brdf_phong(n, l, v, 0.0, k_s, exponent))
     value = np.where(flaw == 4, np.minimum(value, 1.0), value)

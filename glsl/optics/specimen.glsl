@@ -15,7 +15,7 @@ float brdf_flawed(vec3 n, vec3 l, vec3 v, float radiance, int flaw, float k_d, f
     float n_dot_l = dot(n, l), n_dot_v = dot(n, v);
     if (n_dot_l <= 0.0 || n_dot_v <= 0.0) return 0.0;
     float gloss = brdf_phong(n, l, v, 0.0, k_s, exponent), body = k_d / PI, away = 1.0 - n_dot_l;
-    if (flaw == 1) body -= 0.5 * k_d;                                             // a fit that swings below zero
+    if (flaw == 1) body -= k_d;                                                   // a fit that swings below zero
     if (flaw == 2) body *= 1.0 - away * away;                                     // the way in, and not the way out
     if (flaw == 3) body = k_d;                                                    // the forgotten 1 / pi
     if (flaw == 5) {                                                              // 0 / 0 where l or v stands on n
