@@ -181,7 +181,7 @@ RED = {  # a model, k_d, k_s, exponent, and what theory makes red, with the wors
 
 @pytest.mark.parametrize("case", RED, ids=str)
 def test_badges_are_red_where_theory_says_so(case):
-    """As printed along the normal the lobe alone gives back int cos^e dw = 2 pi / (e + 1) (Phong); the rest measured."""
+    """Phong's lobe as printed, along the normal: int cos^e dw = 2 pi / (e + 1). The other numbers are measured."""
     function, k_d, k_s, exponent = case
     found = badges.of_model(Model("", Term(function)), {"k_d": k_d, "k_s": k_s, "exponent": exponent})
     assert {name for name, badge in found.items() if not badge.ok} == set(RED[case])

@@ -109,6 +109,16 @@ def normalisation_short(exponent, summand):
     return (np.asarray(exponent, float) + summand) / (8 * pi)
 
 
+def normalisation_short_share(exponent, summand):
+    """What comes back along the normal with a short cut, k_s = 1: its factor over the exact one.
+
+    normalisation_short / normalisation_blinn_phong
+
+    exponent >= 0, summand (...). Returns (...); beyond 1 energy is made. Errors: none. Source: see normalisation_short.
+    """
+    return normalisation_short(exponent, summand) / normalisation_blinn_phong(exponent)
+
+
 def brdf_blinn_phong(n, l, v, k_d, k_s, exponent):
     """The complete Blinn-Phong BRDF: reciprocal, and with k_d + k_s <= 1 it gives back no more than it gets.
 

@@ -49,6 +49,11 @@ float normalisation_short(float exponent, float summand) {
     return (exponent + summand) / (8.0 * PI);
 }
 
+float normalisation_short_share(float exponent, float summand) {
+    // The Importance of Being Normalized (1): what a short cut gives back along the normal
+    return normalisation_short(exponent, summand) / normalisation_blinn_phong(exponent);
+}
+
 float brdf_blinn_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
     // Blinn-Phong BRDF (2)
     if (dot(n, l) <= 0.0 || dot(n, v) <= 0.0) return 0.0;
