@@ -21,6 +21,7 @@ from app.lesson import (
     Prediction,
     Readout,
     Scene,
+    Slice,
     Step,
     Surface,
     Term,
@@ -806,6 +807,7 @@ vec4 probe(int i) {
         Curves("Leaves, over what arrives", "theta_l", (
             Curve("as a BRDF", Term("highlight_flux", {"model": 1})),
             Curve("as printed", Term("highlight_flux", {"model": 0}), role="printed")), y_label="share of what arrives"),
+        Slice("f in the plane of n and l", kind="angle"),
         Lobes("f over all directions of the eye"),
     ),
     readouts=(
@@ -945,7 +947,7 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     if (i == 0) return vec4(DRAWING + 1.25 * drawn(-theta_v), 1.0);
-    return vec4(i == 1 ? -1.85 : 1.85, -0.1, 2.05, 1.0);
+    return vec4(i == 1 ? -1.85 : 1.85, -0.1, 1.3, 1.0);
 }
 """,
         surfaces=(Surface("wet road", cells=(1, 1)),),
@@ -966,6 +968,7 @@ vec4 probe(int i) {
         Curves("Length of the highlight over its width", "theta_v", (
             Curve("Blinn", Term("highlight_stretch")),
             Curve("Phong", Term("highlight_stretch", {"theta_v": 0.0}), role="estimate")), y_label="times"),
+        Slice("f in the plane of n and l", kind="angle"),
         Lobes("f, equally wide in the plane of l and n",
               camera=Camera(azimuth=24, elevation=30, distance=4.3, target=(0.1, 0.0, 0.25))),
     ),
@@ -1019,7 +1022,7 @@ goes with the width:
 $$\colour{printed}{\int_\Omega (n\cdot h)^n \cos\theta\,d\omega} = \frac{8\pi\,(n + 2^{-n/2})}{(n+2)(n+4)}$$
 
 [Exponent 5](?exponent=5): twice what arrives. [Exponent 1000](?exponent=1000): a fortieth. An artist then turns $k_s$ up
-by hand, and gets it wrong at the next lamp.
+by hand, after every polish again.
 
 The $\colour{exact}{\text{lower row}}$ divides by the integral. Now the exponent changes the shape alone, and $k_s$ is what it
 says: the share sent back.
@@ -1119,8 +1122,8 @@ vec4 probe(int i) {
 Ask first: raise the exponent, brighter peak, same flux? Nearly all say yes, because polish does that; the formula does
 not. Cover the upper row and let them judge the lower: the small highlight hurts the eye, as on chrome. Then the bars. Point
 out that at exponent 5 the printed formula makes light; a room of such walls would explode. "Must be constant", says the
-slide: it means with the exponent. In a white furnace the same number appears, seen along the normal: by reciprocity the bar is
-also the brightness of the middle of the ball. 5 minutes.
+slide: it means with the exponent. In a white furnace the middle of a normalised ball shows the same number as its bar, by
+reciprocity; the printed formula is not reciprocal, and its energy badge, a sum over l, shows another one. 5 minutes.
 """,
     sources=("Deck, slides Is the Phong-Blinn Model Realistic? to Normalized Blinn-Phong Model",
              "Giesen 2009, Derivation of Phong and Blinn-Phong BRDF normalization factors"),
