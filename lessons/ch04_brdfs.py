@@ -1492,5 +1492,8 @@ CHAPTER = Chapter(
     terms={
         "BRDF": "outgoing radiance in one direction over irradiance from another, per steradian",
         "albedo": "the share of the arriving light that a surface sends back",
+        "halfway vector": "h, the unit vector halfway between light and eye: a facet with this normal mirrors one to the other",
+        "normalised": "of a highlight: with the factor that makes it give back all the light, seen along the normal",
+        "white furnace": "the same radiance from everywhere; a surface that gives back all of it cannot be seen in it",
     },
 )
