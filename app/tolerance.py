@@ -212,7 +212,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
-    "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
+    **{name: twin(name) for name in ("albedo_cook_torrance", "albedo_cook_torrance_printed")},  # 1440 angles' terms
     "facet_area": _facet_area_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
