@@ -97,3 +97,9 @@ float d_beside_acos_naive(float slope_ratio, float m) {
     // Distribution Term (2), the expensive form, through vectors
     return d_beckmann_acos_naive(vec3(0.0, 0.0, 1.0), leaning(slope_ratio, m), m);
 }
+
+float cosine_steps(float slope_ratio, float m) {
+    // IEEE 754: below 1 the numbers are 2^-24 apart
+    float t = slope_ratio * m * (slope_ratio * m);
+    return 16777216.0 * t / (1.0 + t + sqrt(1.0 + t));
+}
