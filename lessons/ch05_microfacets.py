@@ -14,7 +14,9 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    Lobes,
     Mark,
+    Model,
     Prediction,
     Readout,
     Scene,
@@ -373,7 +375,7 @@ vec3 surface_point(int surface, vec2 s) {
     }
     int column = int(s.x * float(2 * RAYS - 1) + 0.5);
     float t = (float(column / 2) + 0.5) / float(RAYS), lean = surface == 3 ? lean_v : lean_l;
-    vec3 d = along(lean), across = vec3(d.z, 0.0, -d.x) * 0.006 * (float(column % 2) * 2.0 - 1.0);
+    vec3 d = along(lean), across = vec3(d.z, 0.0, -d.x) * 0.008 * (float(column % 2) * 2.0 - 1.0);
     return groove_point(facet, t) + d * reach(t, lean, 0.45) * s.y + across + vec3(0.0, surface == 3 ? -0.02 : -0.025, 0.0);
 }
 
@@ -557,7 +559,7 @@ vec3 surface_point(int surface, vec2 s) {
         from = to;
         to = vec3(to.x, to.y, goes_on(column / 2) ? 0.75 : to.z);
     }
-    vec3 d = normalize(to - from + vec3(0.0, 0.0, 1e-6)), across = vec3(d.z, 0.0, -d.x) * 0.009 * (float(column % 2) * 2.0 - 1.0);
+    vec3 d = normalize(to - from + vec3(0.0, 0.0, 1e-6)), across = vec3(d.z, 0.0, -d.x) * 0.012 * (float(column % 2) * 2.0 - 1.0);
     return GROOVE + SCALE * (mix(from, to, s.y) + across + vec3(0.0, -0.02, 0.0));
 }
 
@@ -613,14 +615,19 @@ vec4 probe(int i) {
         legend=(("l", "light"), ("v", "gets out"), ("r", "meets the other facet")),
         camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.1), field_of_view=12),
     ),
-    plot=Curves(
-        title="Radiance across the disk",
-        sweep="disk_x",
-        curves=(Curve("Lambert", Term("disk_lambert")),
-                Curve("EON", Term("disk_eon"), role="estimate"),
-                Curve("Oren–Nayar, short form", Term("disk_oren_nayar"), role="printed")),
-        y_label="radiance, a white card being 1",
+    plot=(
+        Curves(
+            title="Radiance across the disk",
+            sweep="disk_x",
+            curves=(Curve("Lambert", Term("disk_lambert")),
+                    Curve("EON", Term("disk_eon"), role="estimate"),
+                    Curve("Oren–Nayar, short form", Term("disk_oren_nayar"), role="printed")),
+            y_label="radiance, a white card being 1",
+        ),
+        Lobes("What one place sends where"),
     ),
+    models=(Model("Lambert", Term("brdf_lambert"), "exact"), Model("EON", Term("brdf_eon")),
+            Model("Oren–Nayar", Term("brdf_oren_nayar"), "printed")),
     readouts=(
         Readout("Lambert here", Term("disk_lambert"), unit=""),
         Readout("Oren–Nayar here", Term("disk_oren_nayar"), unit=""),
@@ -649,7 +656,8 @@ shows where the albedo is high. The slide sends the class to Oren-Nayar for inte
             "peak at full phase that neither has. The fan shows equal shares of light; the second bounce is one of many.",
     values=(Value("disk_x", 0.8, low=-0.98, high=0.98), Value("phase", 0.0, low=0.0, high=80.0),
             Value("sigma", 40.0, low=0.0, high=57.0), Value("roughness", 0.9), Value("rho", 0.85, low=0.05, high=0.9, more=True),
-            Value("facet", 55.0, low=20.0, high=80.0, more=True)),
+            Value("facet", 55.0, low=20.0, high=80.0, more=True), Value("theta_l", 60.0, more=True),
+            Value("theta_v", 50.0, more=True), Value("phi", 0.0, more=True)),
     minutes=7,
 )
 
