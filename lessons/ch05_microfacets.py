@@ -15,7 +15,9 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    Lobes,
     Mark,
+    Model,
     Prediction,
     Readout,
     Scene,
@@ -169,6 +171,495 @@ rough means dull, every point scatters. Here no point does. 5 minutes.
     values=(Value("zoom", 1.0, low=1.0, high=100.0), Value("m", 0.2, low=0.02, high=0.8),
             Value("groove_width", 20.0, more=True)),
     minutes=5,
+)
+
+FACETS = Step(
+    name="facets",
+    title="Only facets with m = h",
+    idea="Of all facets the eye sees light in those whose normal m is halfway between l and v, and their share is D.",
+    slides=(TORRANCE_SPARROW(2), TORRANCE_SPARROW(3)),
+    prose=r"""
+Each square is one facet, a flat mirror with its own normal $m$. Over the plate, each dot is one of these normals. A mirror
+sends light from $\colour{l}{l}$ to $\colour{v}{v}$ only if
+
+$$m = \colour{h}{h} = \frac{\colour{l}{l} + \colour{v}{v}}{|\colour{l}{l} + \colour{v}{v}|}$$
+
+so a facet is on or off. A lamp has a size; then $m$ may miss by a little, the $\colour{h}{\text{ring}}$. The facets in it
+**light up**.
+
+Count them. Their share, over the ring's size, is $\colour{d}{D(h)}$: so many per steradian. Move the eye into
+the [mirror direction](?theta_v=35), then [off to the side](?phi=90): the ring leaves the crowd. Take a
+[small lamp](?half_angle=0.5): the count starts to jump. Make the plate [smoother](?m=0.12).
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/facets.glsl"
+#include "display/palette.glsl"
+uniform float theta_l;
+uniform float theta_v;
+uniform float phi;
+uniform float m;
+uniform float half_angle;
+uniform int facets;
+
+const float DOME = 0.95;
+
+vec3 halfway() {
+    vec3 s = light_direction(theta_l, phi) + view_direction(theta_v);
+    return s / max(length(s), 1e-6);
+}
+
+bool is_lit(vec3 facet) {
+    return distance(facet, halfway()) <= 2.0 * sin(0.5 * half_angle);
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    return vec3(2.0 * s - 1.0, 0.0);
+}
+
+vec3 shade(Surface s) {
+    int side = int(ceil(sqrt(float(facets)) - 1e-3));
+    vec2 at = s.st * float(side);
+    int place = int(at.y) * side + min(int(at.x), side - 1);
+    if (place >= facets) return mix(background, palette[COLOUR_QUIET], 0.2);
+    vec3 facet = facet_normal(int(facet_index(place, facets)), m, facets);
+    float gap = smoothstep(0.0, 0.12, min(min(fract(at.x), fract(at.y)), 1.0 - max(fract(at.x), fract(at.y))));
+    vec3 off = vec3(0.055, 0.085, 0.12) * max(1.0 + 1.1 * facet.x - 0.9 * facet.y, 0.2);
+    return is_lit(facet) ? mix(palette[COLOUR_L], vec3(1.0, 0.9, 0.6), 0.5) : off * (0.5 + 0.5 * gap);
+}
+
+vec3 dot_point(int i) {
+    return DOME * facet_normal(i, m, facets);
+}
+
+vec4 dot_colour(int i) {
+    if (is_lit(facet_normal(i, m, facets))) return vec4(palette[COLOUR_L], 1.0);
+    return vec4(palette[COLOUR_ESTIMATE], 0.6);
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 h = halfway(), side = normalize(vec3(h.z, 0.0, -h.x)), up = cross(h, side);
+    if (mark == 0) return vec3(0.0, 0.0, 1.25 * t);
+    if (mark == 1) return 1.5 * t * light_direction(theta_l, phi);
+    if (mark == 2) return 1.5 * t * view_direction(theta_v);
+    if (mark == 3) return 1.3 * t * h;
+    float turn = 2.0 * PI * t, wide = sin(half_angle);
+    return DOME * 1.005 * (cos(half_angle) * h + wide * (cos(turn) * side + sin(turn) * up));
+}
+
+vec4 probe(int i) {
+    return vec4(1.5 * (i == 0 ? light_direction(theta_l, phi) : view_direction(theta_v)), 1.0);
+}
+""",
+        surfaces=(Surface("facets", cells=(1, 1)),),
+        marks=(
+            Mark("normal", colour="n", tip="arrow", label="n"),
+            Mark("to the light", colour="l", tip="sun", label="l"),
+            Mark("to the eye", colour="v", tip="eye", label="v"),
+            Mark("halfway", colour="h", line="dashed", tip="arrow", label="h"),
+            Mark("the ring", colour="h", segments=48, width=1.4),
+        ),
+        dots=Dots(count="facets", size=0.4),
+        handles=(Handle("the light", 0, ("theta_l", "phi")), Handle("the eye", 1, ("theta_v",))),
+        legend=(("estimate", "normals m, one a facet"), ("l", "facets that light up")),
+        camera=Camera(azimuth=-68, elevation=27, distance=6.4, target=(0.0, 0.0, 0.36), field_of_view=25),
+    ),
+    plot=Curves(
+        title="Counted facets become D",
+        sweep="theta_v",
+        curves=(Curve("Beckmann's D(h)", Term("d_halfway")),
+                Curve("counted among 10 000", Term("d_near", {"facets": 10000}), role="estimate"),
+                Curve("counted among 1000", Term("d_near", {"facets": 1000}), role="printed")),
+        y_label="D, per steradian",
+    ),
+    readouts=(
+        Readout("facets that light up", Term("facets_lit"), unit=""),
+        Readout("D(h), Beckmann", Term("d_halfway"), role="exact", unit="1/sr"),
+        Readout("D(h), counted", Term("d_near"), role="estimate", unit="1/sr", against="D(h), Beckmann"),
+    ),
+    ask=Prediction(
+        question="A plate of 10 000 facets, m = 0.3, mirrors a lamp 4° wide straight into your eye. In how many facets do you see it?",
+        truth=Term("facets_lit"),
+        unit="facets",
+        low=1.0,
+        high=10000.0,
+        scale="log",
+        sets={"theta_l": 40.0, "theta_v": 40.0, "phi": 180.0, "m": 0.3, "half_angle": 1.0, "facets": 10000},
+        told="Far fewer than half: one in 300. But each of them shows the lamp at its full radiance, so the plate shines.",
+    ),
+    notes="""
+Let the class guess, then drag the eye slowly through the mirror direction: facets go on and off like sequins. Ask why the
+ring of a lamp 4° wide is only 2° wide: a mirror that turns by 1° turns its ray by 2°. Then the plot: 1000 facets scatter
+about the curve, 10 000 lie on it; D is nothing but this count. Common wrong answer: half of them, since half lean towards
+the light. The share alone is not D: divide by the solid angle, and D passes 1. 7 minutes.
+""",
+    sources=("Deck, slides The Torrance - Sparrow Microfacet Model (2) and (3)", "Torrance & Sparrow 1967",
+             "Beckmann & Spizzichino 1963"),
+    honesty="Each facet is counted with the area it has seen from above. That facets hide each other is left out here: the "
+            "next step has it. Each facet is a perfect mirror.",
+    values=(Value("theta_v", 58.0, low=0.0, high=85.0), Value("half_angle", 2.0, low=0.25, high=10.0),
+            Value("m", 0.3, low=0.05, high=0.8), Value("theta_l", 35.0, low=0.0, high=85.0),
+            Value("phi", 180.0, low=-180.0, high=180.0, more=True), Value("facets", 10000, low=100, high=10000, more=True)),
+    minutes=7,
+)
+
+RAY_GLSL = """
+#include "optics/groove.glsl"
+#include "display/palette.glsl"
+uniform float facet;
+
+vec3 along(float lean) {
+    return vec3(sin(lean), 0.0, cos(lean));
+}
+
+// How far the ray from the point t of the facet goes: to the other facet, or `up` over the ridges
+float reach(float t, float lean, float up) {
+    if (cos(facet - lean) <= 0.0) return 0.0;
+    vec3 start = groove_point(facet, t);
+    if (groove_blocked(facet, t, lean) > 0.5) {
+        vec3 other = along(-facet);
+        return -dot(start - groove_point(facet, 0.0), other) / dot(along(lean), other);
+    }
+    return min((up - start.z) / max(cos(lean), 1e-3), (1.9 - start.x * sign(lean)) / max(abs(sin(lean)), 1e-3));
+}
+"""
+
+BLOCKING = Step(
+    name="blocking",
+    title="Facets in each other's way",
+    idea="Of a facet in a groove, the eye misses one part and the light another; both begin in the valley.",
+    slides=("Shadowing and Masking",),
+    prose=r"""
+One groove, cut open. Its left facet leans to the right by $\alpha$, and the other facet stands before it. From the eye a part
+of it is $\colour{v}{\text{masked}}$; from the light a part is $\colour{l}{\text{shadowed}}$. What is left is lit *and* seen:
+
+$$G = \min\left(1, \frac{2\,(n\cdot m)(\colour{v}{n\cdot v})}{\colour{v}{m\cdot v}}, \frac{2\,(n\cdot m)(\colour{l}{n\cdot l})}{\colour{l}{m\cdot l}}\right)$$
+
+Why the smaller one, and not the product? Look: both parts begin in the valley, so one lies inside the other. The rays say
+the same: each point asks whether eye and light are free.
+
+Try [nothing hidden](?lean_l=-20&lean_v=40), [masked](?lean_l=20&lean_v=75), [shadowed](?lean_l=75&lean_v=20),
+[turned away](?lean_v=-60), or a [steep groove](?facet=70&lean_l=20&lean_v=40).
+""",
+    scene=Scene(
+        glsl=RAY_GLSL + """
+uniform float lean_l;
+uniform float lean_v;
+
+const float LENGTH = 1.2;
+const float BOTTOM = -1.1;
+const int RAYS = 10;
+const float ARROW = 1.75;
+
+// The profile through ridges and valleys, ridge number 0 at the left end of the groove in the middle
+vec3 corner(int k) {
+    return vec3((float(k) - 1.0) * cos(facet), 0.0, (k + 2) % 2 == 0 ? 0.0 : -sin(facet));
+}
+
+vec3 ridge() {
+    return vec3(-cos(facet), 0.0, 0.0);
+}
+
+vec3 other_ridge() {
+    return vec3(cos(facet), 0.0, 0.0);
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return groove_point(facet, s.x) + vec3(0.0, LENGTH * s.y, 0.0);
+    if (surface == 1) {
+        int k = int(s.x * 4.0 + 0.5) - 1;
+        return corner(k) + vec3(0.0, LENGTH * s.y, 0.0);
+    }
+    if (surface == 2) {
+        vec3 top = corner(int(s.x * 4.0 + 0.5) - 1);
+        return vec3(top.x, 0.0, mix(BOTTOM, top.z, s.y));
+    }
+    int column = int(s.x * float(2 * RAYS - 1) + 0.5);
+    float t = (float(column / 2) + 0.5) / float(RAYS), lean = surface == 3 ? lean_v : lean_l;
+    vec3 d = along(lean), across = vec3(d.z, 0.0, -d.x) * 0.008 * (float(column % 2) * 2.0 - 1.0);
+    return groove_point(facet, t) + d * reach(t, lean, 0.45) * s.y + across + vec3(0.0, surface == 3 ? -0.02 : -0.025, 0.0);
+}
+
+vec3 painted(float t, vec3 p) {
+    float masked = groove_hidden(facet, lean_v), shadowed = groove_hidden(facet, lean_l);
+    vec3 lost = mix(background, palette[COLOUR_QUIET], 0.35);
+    vec3 colour = mix(palette[COLOUR_L], vec3(1.0), 0.75);
+    if (t < max(masked, shadowed)) colour = lost;
+    if (t < masked && fract(7.0 * (p.y + t)) < 0.4) colour = palette[COLOUR_V];
+    if (t < shadowed && fract(7.0 * (p.y - t)) < 0.4) colour = palette[COLOUR_L];
+    return colour;
+}
+
+vec3 shade(Surface s) {
+    vec3 metal = mix(palette[COLOUR_QUIET], background, 0.45);
+    if (s.id == 0) return painted(s.st.x, s.position);
+    if (s.id == 1) {
+        if (abs(s.position.x + 0.5 * cos(facet)) < 0.5 * cos(facet)) discard;
+        return metal * (0.35 + 0.65 * abs(s.normal.z)) * (1.0 - 0.3 * s.st.y);
+    }
+    if (s.id == 2) return mix(background, metal, 0.35 + 0.15 * s.st.y);
+    int column = int(floor(s.st.x * float(2 * RAYS - 1)));
+    if (column % 2 == 1) discard;
+    float t = (float(column / 2) + 0.5) / float(RAYS), lean = s.id == 3 ? lean_v : lean_l;
+    vec3 colour = palette[s.id == 3 ? COLOUR_V : COLOUR_L];
+    return groove_blocked(facet, t, lean) > 0.5 ? mix(background, colour, 0.45) : colour;
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 front = vec3(0.0, -0.04, 0.0), middle = groove_point(facet, 0.5) + front;
+    if (mark == 0) return ridge() + vec3(0.0, 0.0, 1.1 * t) + front;
+    if (mark == 1) return ridge() + ARROW * t * along(lean_l) + front;
+    if (mark == 2) return ridge() + ARROW * t * along(lean_v) + front;
+    if (mark == 3) return middle + front + 0.75 * t * along(facet);
+    if (mark == 6) {
+        int k = int(min(4.0 * t, 3.0));
+        return mix(corner(k - 1), corner(k), 4.0 * t - float(k)) + 0.25 * front;
+    }
+    float hidden = groove_hidden(facet, mark == 4 ? lean_v : lean_l);
+    float far = hidden > 0.0 && hidden < 1.0 ? t : 0.0;
+    return mix(other_ridge(), groove_point(facet, hidden), far) + 1.5 * front;
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(ridge() + ARROW * along(lean_l), 1.0);
+    if (i == 1) return vec4(ridge() + ARROW * along(lean_v), 1.0);
+    return vec4(groove_point(facet, 0.5) + 0.75 * along(facet), 1.0);
+}
+""",
+        surfaces=(
+            Surface("the facet", cells=(1, 1)), Surface("grooves", cells=(4, 1)), Surface("cut", cells=(4, 1)),
+            Surface("rays to the eye", cells=(19, 1)), Surface("rays to the light", cells=(19, 1)),
+        ),
+        marks=(
+            Mark("normal", colour="n", tip="arrow", label="n"),
+            Mark("to the light", colour="l", tip="sun", label="l", width=1.4),
+            Mark("to the eye", colour="v", tip="eye", label="v", width=1.4),
+            Mark("facet's normal", colour="h", line="dashed", tip="arrow", label="m", width=1.4),
+            Mark("last line to the eye", colour="v", line="dashed", width=1.4),
+            Mark("last line to the light", colour="l", line="dashed", width=1.4),
+            Mark("profile", colour="exact", segments=4),
+        ),
+        handles=(Handle("the light", 0, ("lean_l",)), Handle("the eye", 1, ("lean_v",)),
+                 Handle("the facet", 2, ("facet",))),
+        legend=(("v", "masked"), ("l", "shadowed"), ("exact", "lit and seen")),
+        camera=Camera(azimuth=-66, elevation=22, distance=9.0, target=(0.1, 0.4, 0.05), field_of_view=22),
+    ),
+    plot=Curves(
+        title="What is left of the facet",
+        sweep="lean_v",
+        curves=(Curve("G, lit and seen", Term("groove_open")),
+                Curve("G, by rays", Term("groove_open_counted"), role="estimate"),
+                Curve("masked", Term("groove_hidden", {"lean": "lean_v"}), role="printed")),
+        y_label="share of the facet",
+    ),
+    readouts=(
+        Readout("masked", Term("groove_hidden", {"lean": "lean_v"}), unit=""),
+        Readout("shadowed", Term("groove_hidden", {"lean": "lean_l"}), unit=""),
+        Readout("lit and seen G", Term("groove_open"), role="exact", unit=""),
+        Readout("G by rays", Term("groove_open_counted"), role="estimate", unit="", against="lit and seen G"),
+    ),
+    ask=Prediction(
+        question="A groove with sides of 45°; the eye looks in at 75° from n, from the side the facet faces. How much of the facet does it see?",
+        truth=Term("groove_open", {"lean_l": 0.0}),
+        unit="of it",
+        low=0.0,
+        high=1.0,
+        sets={"facet": 45.0, "lean_v": 75.0, "lean_l": 0.0},
+        told="0.42: the line over the other ridge meets the facet that far from its top. Up to 45° nothing is hidden.",
+    ),
+    notes="""
+Fold a sheet of paper to a groove and look in from one side while a lamp lights it from the other. Then drag the eye down:
+the green line over the opposite ridge climbs up the facet from the valley. Ask where the shadow begins: in the same
+valley. So G is a minimum. Common wrong answer: multiply the two shares, as one does for independent things; Smith's model
+in chapter 7 starts from that. Swap l and v: G stays the same, and this is reciprocity. The word on the slide, masking
+(shadow), mixes the two. 7 minutes.
+""",
+    sources=("Deck, slide Shadowing and Masking", "Torrance & Sparrow 1967", "Blinn 1977"),
+    honesty="Exact for symmetric grooves without end, ridges of one height, and light that bounces once. Directions that do "
+            "not lie across the groove count as one sees them along it.",
+    values=(Value("facet", 45.0, low=5.0, high=80.0), Value("lean_l", 58.0, low=-85.0, high=85.0),
+            Value("lean_v", 72.0, low=-85.0, high=85.0), Value("samples", 200, low=16, high=4096)),
+    minutes=7,
+)
+
+INTERREFLECTIONS = Step(
+    name="interreflections",
+    title="Blocked light is not lost",
+    idea="Light that a facet sends to its neighbour comes back out, and mostly to where it came from: rough things look flat.",
+    slides=("Inter-reflections",),
+    prose=r"""
+Now the facets are dull: each scatters light evenly. In the groove, a share $1 - \cos\alpha$ of what one facet sends out
+meets $\colour{r}{\text{the other}}$, and goes on from there. Cook and Torrance drop it.
+
+Oren and Nayar made a whole surface of such grooves. From the light's side the eye sees the facets that are well lit: at full
+phase the ball is a flat disk, as the Moon is. Lambert's has a dark rim.
+
+Their usual short form leaves the second bounce out, too. **EON** puts it back: with $\rho = 1$ no light is missing. Turn the
+Moon to [half](?phase=75), make it [smooth](?sigma=0&roughness=0), [very rough](?sigma=57&roughness=1), and the groove
+[steep](?facet=70).
+""",
+    scene=Scene(
+        glsl=RAY_GLSL + """
+#include "optics/lambert.glsl"
+#include "optics/oren_nayar.glsl"
+#include "optics/eon.glsl"
+#include "display/balls.glsl"
+#include "stage/camera.glsl"
+uniform float disk_x;
+uniform float phase;
+uniform float rho;
+uniform float sigma;
+uniform float roughness;
+
+const int FAN = 15;
+const float HIT = 0.62; // where the light meets the facet
+const vec3 GROOVE = vec3(0.0, 0.0, -1.05);
+const float SCALE = 1.25;
+
+vec3 centre(int i) {
+    return vec3(2.35 * float(i - 1), 0.0, 1.25);
+}
+
+vec3 to_eye(int i) {
+    return normalize(camera_position - centre(i));
+}
+
+// The light stands beside the eye, by the phase to its right.
+vec3 to_light(int i) {
+    vec3 v = to_eye(i), side = normalize(vec3(-v.y, v.x, 0.0));
+    return cos(phase) * v + sin(phase) * side;
+}
+
+float lean_of(int ray) {
+    return facet + asin((2.0 * float(ray) + 1.0) / float(FAN) - 1.0);
+}
+
+vec3 first_end(int ray) {
+    return groove_point(facet, HIT) + reach(HIT, lean_of(ray), 0.75) * along(lean_of(ray));
+}
+
+bool goes_on(int ray) {
+    return groove_blocked(facet, HIT, lean_of(ray)) > 0.5;
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) {
+        int i = ball_number(s, 3);
+        vec3 v = to_eye(i), side = normalize(vec3(-v.y, v.x, 0.0)), p = ball_point(s, 3);
+        return centre(i) + p.x * side + p.y * v + p.z * cross(v, side);
+    }
+    if (surface == 1) {
+        int k = int(s.x * 4.0 + 0.5);
+        float edge = (float(k) - 2.0) * cos(facet), top = k % 2 == 0 ? -sin(facet) : 0.0;
+        return GROOVE + SCALE * vec3(edge, 0.02, mix(-1.05, top, s.y));
+    }
+    if (surface == 4) return vec3(7.4 * s.x - 3.7, 1.2, 2.3 * s.y + 0.1);
+    int column = int(s.x * float(2 * FAN - 1) + 0.5);
+    vec3 from = groove_point(facet, HIT), to = first_end(column / 2);
+    if (surface == 3) {
+        from = to;
+        to = vec3(to.x, to.y, goes_on(column / 2) ? 0.75 : to.z);
+    }
+    vec3 d = normalize(to - from + vec3(0.0, 0.0, 1e-6)), across = vec3(d.z, 0.0, -d.x) * 0.012 * (float(column % 2) * 2.0 - 1.0);
+    return GROOVE + SCALE * (mix(from, to, s.y) + across + vec3(0.0, -0.02, 0.0));
+}
+
+float speckle(vec3 p) {
+    vec3 q = sin(p * vec3(3.1, 4.3, 3.7) + 1.7 * sin(p.zxy * vec3(5.3, 4.9, 6.1)));
+    vec3 r = sin(p.yzx * 11.0 + 2.0 * q);
+    return 1.0 - 0.16 * smoothstep(-0.3, 0.5, q.x * q.y + 0.3 * r.y) + 0.06 * r.x * r.z;
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 0) {
+        int i = ball_number(s.st, 3);
+        vec3 n = normalize(s.position - centre(i)), v = to_eye(i), l = to_light(i);
+        float albedo = min(rho * speckle(n), 0.99);
+        float f = i == 0 ? brdf_lambert(n, l, v, albedo) : i == 1 ? brdf_oren_nayar(n, l, v, albedo, sigma) : brdf_eon(n, l, v, albedo, roughness);
+        return vec3(1.0, 0.97, 0.92) * (PI * f * max(dot(n, l), 0.0));
+    }
+    if (s.id == 1) return mix(background, palette[COLOUR_QUIET], 0.3 + 0.25 * s.st.y);
+    if (s.id == 4) return vec3(0.006, 0.008, 0.014);
+    int column = int(floor(s.st.x * float(2 * FAN - 1)));
+    if (column % 2 == 1 || (s.id == 3 && !goes_on(column / 2))) discard;
+    if (s.id == 3) return palette[COLOUR_R];
+    return goes_on(column / 2) ? palette[COLOUR_R] : palette[COLOUR_V];
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 front = vec3(0.0, -0.05, 0.0), hit = groove_point(facet, HIT) + front;
+    if (mark == 0) return GROOVE + SCALE * (hit + (1.0 - t) * 1.35 * along(min(0.55, facet)));
+    if (mark == 1) return GROOVE + SCALE * (groove_point(facet, 0.5) + front + 0.01 * t * along(facet));
+    int i = mark - 2;
+    vec3 v = to_eye(i), side = normalize(vec3(-v.y, v.x, 0.0));
+    return centre(i) + 1.05 * v + disk_x * side + (2.0 * t - 1.0) * sqrt(max(1.0 - disk_x * disk_x, 0.0)) * cross(v, side);
+}
+
+vec4 probe(int i) {
+    if (i < 3) return vec4(centre(i) + vec3(0.0, 0.0, 1.42), 1.0);
+    if (i == 3) return vec4(mark_point(2, 0.5), 1.0);
+    return vec4(GROOVE + SCALE * groove_point(facet, 1.0), 1.0);
+}
+""",
+        surfaces=(
+            Surface("three Moons", cells=(74, 48)), Surface("groove", cells=(4, 1)),
+            Surface("first bounce", cells=(29, 1)), Surface("second bounce", cells=(29, 1)),
+            Surface("night", cells=(1, 1)),
+        ),
+        marks=(
+            Mark("the light", colour="l", tip="arrow", width=1.6),
+            Mark("a point of the facet", colour="quiet"),
+            *(Mark(f"place {i}", colour="exact", line="dashed") for i in range(3)),
+        ),
+        labels=(Label("Lambert", 0), Label("Oren–Nayar", 1), Label("EON", 2)),
+        handles=(Handle("the place", 3, ("disk_x",)), Handle("the groove", 4, ("facet",))),
+        legend=(("l", "light"), ("v", "gets out"), ("r", "meets the other facet")),
+        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.1), field_of_view=12),
+    ),
+    plot=(
+        Curves(
+            title="Radiance across the disk",
+            sweep="disk_x",
+            curves=(Curve("Lambert", Term("disk_lambert")),
+                    Curve("EON", Term("disk_eon"), role="estimate"),
+                    Curve("Oren–Nayar, short form", Term("disk_oren_nayar"), role="printed")),
+            y_label="radiance, a white card being 1",
+        ),
+        Lobes("What one place sends where"),
+    ),
+    models=(Model("Lambert", Term("brdf_lambert"), "exact"), Model("EON", Term("brdf_eon")),
+            Model("Oren–Nayar", Term("brdf_oren_nayar"), "printed")),
+    readouts=(
+        Readout("Lambert here", Term("disk_lambert"), unit=""),
+        Readout("Oren–Nayar here", Term("disk_oren_nayar"), unit=""),
+        Readout("EON here", Term("disk_eon"), unit=""),
+        Readout("sent to the other facet", Term("groove_exchange"), unit=""),
+    ),
+    ask=Prediction(
+        question="A Lambert ball at full phase: at 94 % of its radius it has 0.34 of the radiance of its middle. And Oren-Nayar's ball, σ = 40°?",
+        truth=Term("rim_oren_nayar", {"disk_x": 0.94}),
+        unit="of the middle",
+        low=0.0,
+        high=1.0,
+        sets={"disk_x": 0.94, "phase": 0.0, "sigma": 40.0},
+        told="0.82: nearly flat. At the rim a smooth ball turns away; of a rough one the facets that face you are left.",
+    ),
+    notes="""
+Start with the Moon: who has seen a dark rim at full Moon? Nobody, and Lambert's ball has one. Ask for the reason before
+you show the groove: at the rim you look along the surface and see only facets that lean to you, and with the Sun at your
+back these are the lit ones. Then turn the phase: the advantage goes. EON against the short form is the second bounce; it
+shows where the albedo is high. The slide sends the class to Oren-Nayar for inter-reflection; only their full model has it.
+7 minutes.
+""",
+    sources=("Deck, slide Inter-reflections", "Oren & Nayar 1994: Generalization of Lambert's reflectance model",
+             "Portsmouth, Kutz & Hill 2025: EON", "Hottel 1954: crossed strings"),
+    honesty="Both formulas are exact as published; σ and r are different scales, so compare shapes. The real Moon also has a "
+            "peak at full phase that neither has. The fan shows equal shares of light; the second bounce is one of many.",
+    values=(Value("disk_x", 0.8, low=-0.98, high=0.98), Value("phase", 0.0, low=0.0, high=80.0),
+            Value("sigma", 40.0, low=0.0, high=57.0), Value("roughness", 0.9), Value("rho", 0.85, low=0.05, high=0.9, more=True),
+            Value("facet", 55.0, low=20.0, high=80.0, more=True), Value("theta_l", 60.0, more=True),
+            Value("theta_v", 50.0, more=True), Value("phi", 0.0, more=True)),
+    minutes=7,
 )
 
 COOK_TORRANCE_MODEL = "The Cook – Torrance Model ({})".format
@@ -802,7 +1293,7 @@ UP = (0.0, 0.0, 1.0)
 CHAPTER = Chapter(
     title="Microfacets",
     idea="A rough surface is many small mirrors: count those that face h, take away those that are blocked.",
-    steps=(GROOVES, COOK_TORRANCE, DISTRIBUTION, BECKMANN, BECKMANN_ONLY),
+    steps=(GROOVES, FACETS, BLOCKING, INTERREFLECTIONS, COOK_TORRANCE, DISTRIBUTION, BECKMANN, BECKMANN_ONLY),
     exercises=(
         Exercise(
             name="groove",

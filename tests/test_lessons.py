@@ -215,6 +215,16 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
     ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
      TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
+    ("microfacets/grooves", "6.9 cm", 6.9, 0.05, "resolved_distance", {"groove_width": 20.0}),
+    ("microfacets/facets", "one in 300", 10000 / 300, 2, "facets_lit",
+     {"theta_l": math.radians(40), "theta_v": math.radians(40), "phi": math.pi, "m": 0.3, "half_angle": math.radians(1),
+      "facets": 10000}),
+    ("microfacets/blocking", "0.42: the line", 0.42, 0.005, "groove_open",
+     {"facet": math.radians(45), "lean_l": 0.0, "lean_v": math.radians(75)}),
+    ("microfacets/interreflections", "0.82: nearly flat", 0.82, 0.005, "rim_oren_nayar",
+     {"disk_x": 0.94, "phase": 0.0, "sigma": math.radians(40)}),
+    ("microfacets/interreflections", "it has 0.34 of the radiance", 0.34, 0.005, "disk_lambert",
+     {"disk_x": 0.94, "phase": 0.0, "rho": 1.0}),
 ]
 
 
@@ -248,6 +258,8 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
     ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
     ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
+    ("microfacets/facets", "d_halfway", "d_near", {}, 0.03),
+    ("microfacets/blocking", "groove_open", "groove_open_counted", {"samples": 4096}, 1e-3),
 ]
 
 

@@ -22,6 +22,7 @@ DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
 COUNTED = {"solid_angle_patch_counted": lambda a: a["samples"] / (4 * np.pi), "meets_patch": None,
            "groove_blocked": None, "groove_hidden_counted": lambda a: a["samples"],
            "groove_open_counted": lambda a: a["samples"], "facets_lit": None,
+           "d_near": lambda a: a["facets"] * np.pi * np.sin(a["half_angle"]) ** 2,
            "d_counted": lambda a: a["facets"] * _ring(a["theta_h"], a["half_angle"])}
 
 
@@ -209,6 +210,8 @@ JOINT = {  # arguments that belong together
     **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at"), mirrored),
     "angle_of_half": half_reached,
     "d_counted": of_a_ring,
+    "d_halfway": mirrored,
+    "d_near": of_a_ring,
     "facet_normal": of_the_facets,
     "facet_slope": of_the_facets,
     "fibonacci_direction": below_samples,
