@@ -21,6 +21,7 @@ from app.lesson import (
     Prediction,
     Readout,
     Scene,
+    Slice,
     Step,
     Surface,
     Term,
@@ -688,6 +689,8 @@ brighter than the furnace.
         glsl="""
 #include "optics/cook_torrance.glsl"
 #include "optics/vgroove.glsl"
+#include "display/facing_ball.glsl"
+#include "display/furnace.glsl"
 #include "display/palette.glsl"
 uniform float theta_l;
 uniform float theta_v;
@@ -699,9 +702,6 @@ uniform int prefactor;
 const float LARGE = 1.62;
 const float SMALL = 0.52;
 const vec3 GOLD = vec3(1.0, 0.71, 0.29); // its F0, in shares of red
-const vec3 GAUSS_LAGUERRE_X = vec3(0.41577456, 2.29428036, 6.28994508); // e^-y over y = tan^2 a / m^2
-const vec3 GAUSS_LAGUERRE_W = vec3(0.71109301, 0.27851773, 0.01038926);
-
 // The marked point: its normal is theta_v from the eye, to the left; the light stands theta_l from that normal.
 vec3 marked_normal() {
     return vec3(-sin(theta_v), -cos(theta_v), 0.0);
@@ -718,22 +718,7 @@ vec3 ball_centre(int surface) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 5) return vec3(1.4 + 1.3 * s.x, 0.7, -2.67 + 1.3 * s.y);
-    return ball_centre(surface) + (surface == 0 ? LARGE : SMALL) * sphere_point(s.x, s.y);
-}
-
-// How much of an even light facets that reflect all send to the eye, by 3 x 6 of them.
-float furnace(float n_dot_v) {
-    float sine = sqrt(max(0.0, 1.0 - n_dot_v * n_dot_v)), sum = 0.0;
-    for (int i = 0; i < 3; i++) {
-        float c = inversesqrt(1.0 + m * m * GAUSS_LAGUERRE_X[i]), s = m * sqrt(GAUSS_LAGUERRE_X[i]) * c, part = 0.0;
-        for (int k = 0; k < 12; k++) {
-            float turn = cos((float(k) + 0.5) * PI / 12.0);
-            float u = c * n_dot_v + s * sine * turn, n_dot_l = 2.0 * u * c - n_dot_v;
-            part += max(0.0, min(u, 2.0 * c * min(n_dot_v, n_dot_l)));
-        }
-        sum += GAUSS_LAGUERRE_W[i] * part / (12.0 * c * n_dot_v);
-    }
-    return sum;
+    return facing_ball(s, ball_centre(surface), surface == 0 ? LARGE : SMALL);
 }
 
 vec3 shade(Surface s) {
@@ -741,7 +726,7 @@ vec3 shade(Surface s) {
     if (s.id == 5) return vec3(0.42);
     vec3 n = normalize(s.position - ball_centre(s.id));
     float n_dot_v = max(dot(n, s.v), 1e-3);
-    if (s.id == 4) return vec3(0.42 * scale * furnace(n_dot_v));
+    if (s.id == 4) return vec3(0.42 * scale * furnace_beckmann(n_dot_v, m));
     vec3 l = light(), both = l + s.v, h = both / max(length(both), 1e-6);
     float n_dot_l = dot(n, l), l_dot_h = 0.5 * length(both);
     vec3 shadow = palette[COLOUR_QUIET] * (0.02 + 0.06 * n_dot_v); // to be seen, no light
@@ -768,8 +753,8 @@ vec4 probe(int i) {
     return vec4(ball_centre(i - 1) + vec3(i == 5 ? -1.3 : -0.78, 0.0, 0.0), 1.0);
 }
 """,
-        surfaces=(Surface("ball", cells=(96, 48)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
-                  Surface("F", cells=(40, 20)), Surface("in the furnace", cells=(40, 20)), Surface("furnace", cells=(1, 1))),
+        surfaces=(Surface("ball", cells=(64, 10)), *(Surface(name, cells=(40, 8)) for name in "DGF"),
+                  Surface("in the furnace", cells=(40, 8)), Surface("furnace", cells=(1, 1))),
         marks=(
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
             Mark("to the eye", colour="v", tip="eye", label="v"), Mark("halfway", colour="h", line="dashed", tip="arrow", label="h"),
@@ -778,13 +763,19 @@ vec4 probe(int i) {
         handles=(Handle("the lamp", 0, ("theta_l", "phi")), Handle("the point", 1, ("theta_v",))),
         camera=Camera(azimuth=-90, elevation=0, distance=30, target=(0.1, 0.0, -0.05), field_of_view=11),
     ),
-    plot=Curves(
-        title="Share of the light sent back, F = 1",
-        sweep="theta_v",
-        curves=(Curve("1/4", Term("albedo_cook_torrance", {"f0": 1.0})),
-                Curve("1/π, as printed", Term("albedo_cook_torrance_printed", {"f0": 1.0}), role="printed")),
-        y_label="albedo",
+    plot=(
+        Curves(
+            title="Share of the light sent back, F = 1",
+            sweep="theta_v",
+            curves=(Curve("1/4", Term("albedo_cook_torrance", {"f0": 1.0})),
+                    Curve("1/π, as printed", Term("albedo_cook_torrance_printed", {"f0": 1.0}), role="printed")),
+            y_label="albedo",
+        ),
+        Lobes(title="Where the light of l goes"),
+        Slice(title="The same in the plane of l and n", kind="angle"),
     ),
+    models=(Model("1/4", Term("brdf_cook_torrance")),
+            Model("1/π, as printed", Term("brdf_cook_torrance_printed"), colour="printed")),
     readouts=(
         Readout("f, with 1/4", Term("brdf_cook_torrance"), role="exact", unit="1/sr"),
         Readout("f, as printed", Term("brdf_cook_torrance_printed"), role="printed", unit="1/sr", against="f, with 1/4"),
@@ -1129,22 +1120,20 @@ For small $m$ both halves agree. For [rough ones](?m=0.8) Beckmann bends: the se
         glsl="""
 #include "optics/beckmann.glsl"
 #include "optics/ndf.glsl"
-#include "display/balls.glsl"
+#include "display/facing_ball.glsl"
 #include "display/palette.glsl"
 uniform float m;
 uniform float theta_l;
 uniform int exposed;
 
-const float LARGE = 1.75;
-const vec3 MIDDLE = vec3(0.0, 0.0, 0.85);
-const float SIZE = 0.56;
+const vec3 MIDDLE = vec3(0.0, 0.0, 0.85); // of the large ball, number 0
 
-vec3 small(int i) {
-    return vec3(1.25 * float(i - 2), 0.0, -1.75);
+vec3 centre(int ball) {
+    return ball == 0 ? MIDDLE : vec3(1.25 * float(ball - 3), 0.0, -1.75);
 }
 
-float roughness(int i) {
-    return 0.08 * exp(0.5756 * float(i)); // 0.08 to 0.8
+float size(int ball) {
+    return ball == 0 ? 1.75 : 0.56;
 }
 
 // From the eye, upwards
@@ -1153,32 +1142,30 @@ vec3 light() {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return MIDDLE + LARGE * sphere_point(s.x, s.y);
-    return small(ball_number(s, 5)) + SIZE * ball_point(s, 5);
+    return facing_ball(s, centre(surface), size(surface));
 }
 
 vec3 shade(Surface s) {
-    int i = ball_number(s.st, 5);
-    vec3 n = normalize(s.position - (s.id == 0 ? MIDDLE : small(i))), l = light(), h = l + s.v;
-    float width = s.id == 0 ? m : roughness(i), n_dot_l = max(dot(n, l), 0.0);
+    vec3 n = (s.position - centre(s.id)) / size(s.id), l = light(), h = l + s.v;
+    float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
     return vec3(1.0, 0.97, 0.92) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
 }
 
 vec3 mark_point(int mark, float t) {
-    if (mark == 0) return MIDDLE + (LARGE + 0.01) * vec3(0.0, -sin(PI * t), cos(PI * t));
-    return MIDDLE + LARGE * vec3(0.0, -1.0, 0.0) + 1.2 * t * light();
+    if (mark == 0) return MIDDLE + (size(0) + 0.01) * vec3(0.0, -sin(PI * t), cos(PI * t));
+    return MIDDLE + size(0) * vec3(0.0, -1.0, 0.0) + 1.2 * t * light();
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(MIDDLE + LARGE * vec3(0.0, -1.0, 0.0) + 1.2 * light(), 1.0);
+    if (i == 0) return vec4(MIDDLE + size(0) * vec3(0.0, -1.0, 0.0) + 1.2 * light(), 1.0);
     if (i == 1) return vec4(MIDDLE + vec3(-1.75, 0.0, 1.55), 1.0);
     if (i == 2) return vec4(MIDDLE + vec3(1.75, 0.0, 1.55), 1.0);
-    return vec4(small(i - 3) + vec3(0.0, 0.0, -0.78), 1.0);
+    return vec4(centre(i - 2) + vec3(0.0, 0.0, -0.78), 1.0);
 }
 """,
-        surfaces=(Surface("large ball", cells=(96, 48)), Surface("balls", cells=(124, 36))),
+        surfaces=tuple(Surface(f"ball {i}", cells=(40, 8) if i else (64, 10)) for i in range(6)),
         marks=(Mark("seam", colour="quiet", segments=48), Mark("to the light", colour="l", tip="sun", label="l")),
         labels=(Label("Beckmann", 1, "d"), Label("cosine lobe", 2, "printed"),
                 *(Label(f"m = {m}", i + 3) for i, m in enumerate(("0.08", "0.14", "0.25", "0.45", "0.8")))),
