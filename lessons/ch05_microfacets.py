@@ -328,15 +328,15 @@ BLOCKING = Step(
     slides=("Shadowing and Masking",),
     prose=r"""
 One groove, cut open. Its left facet leans to the right by $\alpha$, and the other facet stands before it. From the eye a part
-of it is $\colour{v}{\text{masked}}$; from the light a part is $\colour{l}{\text{shadowed}}$. What is left is lit *and* seen:
+of it is $\colour{v}{\text{masked}}$; from the light a part is $\colour{l}{\text{shadowed}}$. What is left is $\colour{g}{\text{lit and seen}}$:
 
-$$G = \min\left(1, \frac{2\,(n\cdot m)(\colour{v}{n\cdot v})}{\colour{v}{m\cdot v}}, \frac{2\,(n\cdot m)(\colour{l}{n\cdot l})}{\colour{l}{m\cdot l}}\right)$$
+$$\colour{g}{G} = \min\left(1, \frac{2\,(n\cdot m)(\colour{v}{n\cdot v})}{\colour{v}{m\cdot v}}, \frac{2\,(n\cdot m)(\colour{l}{n\cdot l})}{\colour{l}{m\cdot l}}\right)$$
 
 Why the smaller one, and not the product? Look: both parts begin in the valley, so one lies inside the other. The rays say
 the same: each point asks whether eye and light are free.
 
 Try [nothing hidden](?lean_l=-20&lean_v=40), [masked](?lean_l=20&lean_v=75), [shadowed](?lean_l=75&lean_v=20),
-[turned away](?lean_v=-60), or a [steep groove](?facet=70&lean_l=20&lean_v=40).
+[turned away](?lean_v=-60), a [steep groove](?facet=70&lean_l=20&lean_v=40). At [m = h](?lean_l=18&lean_v=72) the rest flashes.
 """,
     scene=Scene(
         glsl=RAY_GLSL + """
@@ -380,7 +380,8 @@ vec3 surface_point(int surface, vec2 s) {
 vec3 painted(float t, vec3 p) {
     float masked = groove_hidden(facet, lean_v), shadowed = groove_hidden(facet, lean_l);
     vec3 lost = mix(background, palette[COLOUR_QUIET], 0.35);
-    vec3 colour = mix(palette[COLOUR_L], vec3(1.0), 0.75);
+    bool mirrors = abs(facet - 0.5 * (lean_l + lean_v)) < 0.02; // m = h
+    vec3 colour = mirrors ? mix(palette[COLOUR_G], vec3(1.0), 0.8) : palette[COLOUR_G];
     if (t < max(masked, shadowed)) colour = lost;
     if (t < masked && fract(7.0 * (p.y + t)) < 0.4) colour = palette[COLOUR_V];
     if (t < shadowed && fract(7.0 * (p.y - t)) < 0.4) colour = palette[COLOUR_L];
@@ -438,7 +439,7 @@ vec4 probe(int i) {
         ),
         handles=(Handle("the light", 0, ("lean_l",)), Handle("the eye", 1, ("lean_v",)),
                  Handle("the facet", 2, ("facet",))),
-        legend=(("v", "masked"), ("l", "shadowed"), ("exact", "lit and seen")),
+        legend=(("v", "masked"), ("l", "shadowed"), ("g", "lit and seen")),
         camera=Camera(azimuth=-66, elevation=22, distance=9.0, target=(0.1, 0.4, 0.05), field_of_view=22),
     ),
     plot=Curves(
