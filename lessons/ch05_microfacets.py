@@ -157,7 +157,7 @@ vec4 probe(int i) {
     ),
     notes="""
 Bring a ruler or a knife of brushed steel and a lamp: the streak runs across the scratches, and it turns when you turn the
-plate. Ask why, and leave it open. Then zoom. The moment to wait for is about ×30, where noise turns into stripes and each
+plate. Ask why, and leave it open. Then zoom. The moment to wait for is about ×10, where noise turns into stripes and each
 stripe into a clear image of a piece of the room. Ask what one stripe lacks to be a mirror: nothing. Common wrong answer:
 rough means dull, every point scatters. Here no point does. 5 minutes.
 """,
@@ -381,7 +381,7 @@ vec3 painted(float t, vec3 p) {
     float masked = groove_hidden(facet, lean_v), shadowed = groove_hidden(facet, lean_l);
     vec3 lost = mix(background, palette[COLOUR_QUIET], 0.35);
     bool mirrors = abs(facet - 0.5 * (lean_l + lean_v)) < 0.02; // m = h
-    vec3 colour = mirrors ? mix(palette[COLOUR_G], vec3(1.0), 0.8) : palette[COLOUR_G];
+    vec3 colour = mirrors ? mix(palette[COLOUR_G], vec3(1.0), 0.6) : palette[COLOUR_G];
     if (t < max(masked, shadowed)) colour = lost;
     if (t < masked && fract(7.0 * (p.y + t)) < 0.4) colour = palette[COLOUR_V];
     if (t < shadowed && fract(7.0 * (p.y - t)) < 0.4) colour = palette[COLOUR_L];
