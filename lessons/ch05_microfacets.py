@@ -48,18 +48,19 @@ One number says how steep they are: $m$, the root of the mean square of their sl
     scene=Scene(
         glsl="""
 #include "optics/brushed.glsl"
-#include "optics/facets.glsl"
 uniform float zoom;
 uniform float m;
 
 const float GROOVE = 20.0; // micrometres
 const float DEEP = 0.55;
 const int COLUMNS = 260;
-const int SAMPLES = 16;
+const int SAMPLES = 8;
 
-// The slope of the sides of a groove: any of ten thousand, the same each time.
+// The slope of the sides of a groove: one of Beckmann's, by a number that looks random and is the same each time.
 float slope_of(float groove) {
-    return facet_slope(int(facet_index(int(groove) + 4000, 10000)), m, 10000);
+    float p = fract(groove * 0.1031);
+    p *= p + 33.33;
+    return m * sqrt(-log(1.0 - 0.999 * fract(p * (p + p))));
 }
 
 // Height of the plate at a place counted in grooves; ridges are at 0.
@@ -83,18 +84,13 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(1.0, 2.0 * s.x - 1.0, mix(-DEEP, profile(1.0).y, s.y));
 }
 
-// The room on the far side: a window in the evening and a lamp on a dark wall.
-vec3 room(vec3 d) {
-    vec2 p = d.xz / max(d.y, 0.02);
-    vec3 wall = mix(vec3(0.05, 0.07, 0.10), vec3(0.16, 0.20, 0.27), smoothstep(0.2, 1.3, p.y));
-    vec2 q = abs(p - vec2(-0.32, 0.71));
-    if (q.x < 0.15 && q.y < 0.13 && q.x > 0.008 && q.y > 0.008) return mix(vec3(1.4, 0.85, 0.42), vec3(0.85, 1.05, 1.3), smoothstep(0.6, 0.82, p.y));
-    return wall + vec3(1.6, 0.75, 0.25) * smoothstep(0.055, 0.035, length(p - vec2(-0.06, 0.62)));
-}
-
-vec3 mirrored(vec3 facet, vec3 v) {
-    vec3 r = reflect(-v, facet), steel = vec3(0.78, 0.79, 0.80);
-    return r.z > 0.0 ? steel * room(r) : steel * steel * room(vec3(r.xy, -r.z));
+// The room on the far side, by height and side over distance: a window in the evening and a lamp on a dark wall.
+vec3 room(vec2 p) {
+    vec3 colour = mix(vec3(0.05, 0.07, 0.10), vec3(0.16, 0.20, 0.27), clamp(p.y - 0.2, 0.0, 1.0));
+    vec2 q = abs(p - vec2(-0.32, 0.71)), to_lamp = p - vec2(-0.06, 0.62);
+    colour += vec3(1.6, 0.75, 0.25) * clamp(1.7 - 560.0 * dot(to_lamp, to_lamp), 0.0, 1.0);
+    bool pane = q.x < 0.15 && q.y < 0.13 && min(q.x, q.y) > 0.008;
+    return pane ? mix(vec3(1.4, 0.85, 0.42), vec3(0.85, 1.05, 1.3), clamp(4.5 * p.y - 2.7, 0.0, 1.0)) : colour;
 }
 
 vec3 shade(Surface s) {
@@ -104,15 +100,17 @@ vec3 shade(Surface s) {
     }
     float at = 0.5 * s.position.x * grooves_shown(zoom, GROOVE), wide = fwidth(at), sum = 0.0;
     vec3 light = vec3(0.0);
-    for (int k = 0; k < SAMPLES; k++) {
-        float x = at + wide * ((float(k) + 0.5) / float(SAMPLES) - 0.5), groove = floor(x);
+    int samples = wide < 0.05 ? 1 : SAMPLES;
+    for (int k = 0; k < samples; k++) {
+        float x = at + wide * ((float(k) + 0.5) / float(samples) - 0.5), groove = floor(x);
         float side = wide > 2.0 ? float(k % 2) : x - groove;
-        vec3 facet = normalize(vec3(slope_of(groove) * (side < 0.5 ? 1.0 : -1.0), 0.0, 1.0));
-        float seen = max(dot(facet, s.v), 0.0) / facet.z;
-        light += seen * mirrored(facet, s.v);
+        float slope = slope_of(groove) * (side < 0.5 ? 1.0 : -1.0); // the normal is (slope, 0, 1), not of unit length
+        float seen = max(slope * s.v.x + s.v.z, 0.0), turn = 2.0 * seen / (1.0 + slope * slope);
+        vec2 mirrored = vec2(turn * slope - s.v.x, abs(turn - s.v.z)) / max(-s.v.y, 0.02);
+        light += seen * room(mirrored);
         sum += seen;
     }
-    return light / max(sum, 1e-6);
+    return 0.79 * light / max(sum, 1e-6);
 }
 
 float bar_end() {
@@ -134,7 +132,7 @@ vec4 probe(int i) {
                Mark("its end", colour="exact", width=1.6)),
         labels=(Label("0.2 mm", 1),),
         handles=(Handle("the scale", 0, ("zoom",)),),
-        camera=Camera(azimuth=-74, elevation=33, distance=5.3, target=(0.0, 0.0, -0.28)),
+        camera=Camera(azimuth=-74, elevation=33, distance=5.7, target=(0.0, 0.0, -0.28)),
     ),
     plot=Curves(
         title="Where single grooves can still be seen",
@@ -160,13 +158,13 @@ vec4 probe(int i) {
     ),
     notes="""
 Bring a ruler or a knife of brushed steel and a lamp: the streak runs across the scratches, and it turns when you turn the
-plate. Ask why, and leave it open. Then zoom. The moment to wait for is about ×30, where noise turns into stripes and each
+plate. Ask why, and leave it open. Then zoom. The moment to wait for is about ×10, where noise turns into stripes and each
 stripe into a clear image of a piece of the room. Ask what one stripe lacks to be a mirror: nothing. Common wrong answer:
 rough means dull, every point scatters. Here no point does. 5 minutes.
 """,
     sources=("Deck, slide The Torrance - Sparrow Microfacet Model (1)", "Torrance & Sparrow 1967",
              "Beckmann & Spizzichino 1963: the slopes"),
-    honesty="Each pixel shows the mean of sixteen mirror images in its facets. Grooves of equal width with ridges of equal "
+    honesty="Each pixel shows the mean of eight mirror images in its facets. Grooves of equal width with ridges of equal "
             "height are the model's; real scratches are not so tidy. The room is made up.",
     values=(Value("zoom", 1.0, low=1.0, high=100.0), Value("m", 0.2, low=0.02, high=0.8),
             Value("groove_width", 20.0, more=True)),
@@ -331,15 +329,15 @@ BLOCKING = Step(
     slides=("Shadowing and Masking",),
     prose=r"""
 One groove, cut open. Its left facet leans to the right by $\alpha$, and the other facet stands before it. From the eye a part
-of it is $\colour{v}{\text{masked}}$; from the light a part is $\colour{l}{\text{shadowed}}$. What is left is lit *and* seen:
+of it is $\colour{v}{\text{masked}}$; from the light a part is $\colour{l}{\text{shadowed}}$. What is left is $\colour{g}{\text{lit and seen}}$:
 
-$$G = \min\left(1, \frac{2\,(n\cdot m)(\colour{v}{n\cdot v})}{\colour{v}{m\cdot v}}, \frac{2\,(n\cdot m)(\colour{l}{n\cdot l})}{\colour{l}{m\cdot l}}\right)$$
+$$\colour{g}{G} = \min\left(1, \frac{2\,(n\cdot m)(\colour{v}{n\cdot v})}{\colour{v}{m\cdot v}}, \frac{2\,(n\cdot m)(\colour{l}{n\cdot l})}{\colour{l}{m\cdot l}}\right)$$
 
 Why the smaller one, and not the product? Look: both parts begin in the valley, so one lies inside the other. The rays say
 the same: each point asks whether eye and light are free.
 
 Try [nothing hidden](?lean_l=-20&lean_v=40), [masked](?lean_l=20&lean_v=75), [shadowed](?lean_l=75&lean_v=20),
-[turned away](?lean_v=-60), or a [steep groove](?facet=70&lean_l=20&lean_v=40).
+[turned away](?lean_v=-60), a [steep groove](?facet=70&lean_l=20&lean_v=40). At [m = h](?lean_l=18&lean_v=72) the rest flashes.
 """,
     scene=Scene(
         glsl=RAY_GLSL + """
@@ -383,7 +381,8 @@ vec3 surface_point(int surface, vec2 s) {
 vec3 painted(float t, vec3 p) {
     float masked = groove_hidden(facet, lean_v), shadowed = groove_hidden(facet, lean_l);
     vec3 lost = mix(background, palette[COLOUR_QUIET], 0.35);
-    vec3 colour = mix(palette[COLOUR_L], vec3(1.0), 0.75);
+    bool mirrors = abs(facet - 0.5 * (lean_l + lean_v)) < 0.02; // m = h
+    vec3 colour = mirrors ? mix(palette[COLOUR_G], vec3(1.0), 0.6) : palette[COLOUR_G];
     if (t < max(masked, shadowed)) colour = lost;
     if (t < masked && fract(7.0 * (p.y + t)) < 0.4) colour = palette[COLOUR_V];
     if (t < shadowed && fract(7.0 * (p.y - t)) < 0.4) colour = palette[COLOUR_L];
@@ -410,7 +409,7 @@ vec3 mark_point(int mark, float t) {
     if (mark == 0) return ridge() + vec3(0.0, 0.0, 1.1 * t) + front;
     if (mark == 1) return ridge() + ARROW * t * along(lean_l) + front;
     if (mark == 2) return ridge() + ARROW * t * along(lean_v) + front;
-    if (mark == 3) return middle + front + 0.75 * t * along(facet);
+    if (mark == 3) return middle + front + 0.95 * t * along(facet);
     if (mark == 6) {
         int k = int(min(4.0 * t, 3.0));
         return mix(corner(k - 1), corner(k), 4.0 * t - float(k)) + 0.25 * front;
@@ -423,7 +422,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(ridge() + ARROW * along(lean_l), 1.0);
     if (i == 1) return vec4(ridge() + ARROW * along(lean_v), 1.0);
-    return vec4(groove_point(facet, 0.5) + 0.75 * along(facet), 1.0);
+    return vec4(groove_point(facet, 0.5) + 0.95 * along(facet), 1.0);
 }
 """,
         surfaces=(
@@ -441,7 +440,7 @@ vec4 probe(int i) {
         ),
         handles=(Handle("the light", 0, ("lean_l",)), Handle("the eye", 1, ("lean_v",)),
                  Handle("the facet", 2, ("facet",))),
-        legend=(("v", "masked"), ("l", "shadowed"), ("exact", "lit and seen")),
+        legend=(("v", "masked"), ("l", "shadowed"), ("g", "lit and seen")),
         camera=Camera(azimuth=-66, elevation=22, distance=9.0, target=(0.1, 0.4, 0.05), field_of_view=22),
     ),
     plot=Curves(
@@ -565,9 +564,9 @@ vec3 surface_point(int surface, vec2 s) {
 }
 
 float speckle(vec3 p) {
-    vec3 q = sin(p * vec3(3.1, 4.3, 3.7) + 1.7 * sin(p.zxy * vec3(5.3, 4.9, 6.1)));
-    vec3 r = sin(p.yzx * 11.0 + 2.0 * q);
-    return 1.0 - 0.16 * smoothstep(-0.3, 0.5, q.x * q.y + 0.3 * r.y) + 0.06 * r.x * r.z;
+    vec2 q = sin(vec2(3.1, 4.3) * p.xz + 1.7 * sin(vec2(5.3, 4.9) * p.zy));
+    vec2 r = sin(11.0 * p.zx + 2.0 * q);
+    return 1.0 - 0.16 * smoothstep(-0.3, 0.5, q.x * q.y + 0.3 * r.y) + 0.06 * r.x * r.y;
 }
 
 vec3 shade(Surface s) {
@@ -613,8 +612,8 @@ vec4 probe(int i) {
         ),
         labels=(Label("Lambert", 0), Label("Oren–Nayar", 1), Label("EON", 2)),
         handles=(Handle("the place", 3, ("disk_x",)), Handle("the groove", 4, ("facet",))),
-        legend=(("l", "light"), ("v", "gets out"), ("r", "meets the other facet")),
-        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.1), field_of_view=12),
+        legend=(("v", "gets out"), ("r", "meets the other facet")),
+        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.42), field_of_view=14.5),
     ),
     plot=(
         Curves(
