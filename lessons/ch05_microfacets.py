@@ -746,8 +746,7 @@ vec3 mark_point(int mark, float t) {
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(ball_centre(0) + LARGE * marked_normal() + 0.95 * light(), 1.0);
-    if (i == 1) return vec4(ball_centre(0) + LARGE * marked_normal(), 1.0);
+    if (i < 2) return vec4(mark_point(1, 1.0 - float(i)), 1.0);
     return vec4(ball_centre(i - 1) + vec3(i == 5 ? -1.3 : -0.78, 0.0, 0.0), 1.0);
 }
 """,
@@ -870,8 +869,7 @@ vec3 surface_point(int surface, vec2 s) {
 
 vec3 shade(Surface s) {
     if (s.id == 0) return mix(background, palette[COLOUR_QUIET], 0.25 + 0.25 * grid_lines(s.st, vec2(24.0, 1.0)));
-    if (s.id == 1) return palette[COLOUR_L];
-    if (s.id == 3) return palette[COLOUR_L];
+    if (s.id == 1 || s.id == 3) return palette[COLOUR_L];
     float bar = fract((s.position.x - CORNER.x) / BOX.x * float(rows)), edge = min(bar, 1.0 - bar);
     return palette[COLOUR_D] * mix(0.25, 0.75, smoothstep(0.02, 0.08, edge));
 }
@@ -908,8 +906,7 @@ vec4 probe(int i) {
             Mark("normal", colour="n", tip="arrow", label="n"),
             Mark("halfway", colour="h", line="dashed", tip="arrow", label="a", label_at=0.9),
             Mark("one", colour="exact", line="dashed", label="D = 1", label_at=1.0),
-            Mark("floor", colour="quiet"),
-            Mark("chosen", colour="exact", segments=160, width=1.6),
+            Mark("floor", colour="quiet"), Mark("chosen", colour="exact", segments=160, width=1.6),
             *(Mark(f"other {i}", colour="quiet", line="dotted", segments=160) for i in range(3)),
             Mark("dome", colour="quiet", segments=64),
         ),
@@ -922,9 +919,8 @@ vec4 probe(int i) {
     plot=Curves(
         title="The sum of D cos a over all rings",
         sweep="rows",
-        curves=(Curve("Beckmann", Term("facet_area", {"ndf": 2, "cosines": 1})),
-                Curve("Gauss", Term("facet_area", {"ndf": 0, "cosines": 1}), role="estimate"),
-                Curve("GGX", Term("facet_area", {"ndf": 3, "cosines": 1}), role="estimate"),
+        curves=(*(Curve(name, Term("facet_area", {"ndf": k, "cosines": 1}), role)
+                  for name, k, role in (("Beckmann", 2, "exact"), ("Gauss", 0, "estimate"), ("GGX", 3, "estimate"))),
                 Curve("cosine lobe with f_n", Term("facet_area_of_lobe"), role="printed")),
         y_label="facets found, over all",
     ),
@@ -997,9 +993,10 @@ vec3 window(int i) {
     return vec3(APART * float(i - 1), 0.0, 1.35);
 }
 
-float density(int way, vec2 x) {
+float density(int way, vec2 x) { // over its peak
     vec3 n = vec3(0.0, 0.0, 1.0), h = vec3(x * m, 1.0) * inversesqrt(1.0 + dot(x * m, x * m));
-    return way == 0 ? d_beckmann(n, h, m) : way == 1 ? d_beckmann_naive(n, h, m) : d_beckmann_acos_naive(n, h, m);
+    float d = way == 0 ? d_beckmann(n, h, m) : way == 1 ? d_beckmann_naive(n, h, m) : d_beckmann_acos_naive(n, h, m);
+    return d * PI * m * m;
 }
 
 vec3 in_box(int way, float x, float height) {
@@ -1015,25 +1012,21 @@ vec3 shade(Surface s) {
     float r = length(x);
     if (r > 1.0) discard;
     if (r > 0.96) return palette[COLOUR_QUIET];
-    return colormap(density(s.id, 3.0 * x / 0.96) * PI * m * m);
-}
-
-float peaks(int way, float x) {
-    return density(way, vec2(x, 0.0)) * PI * m * m;
+    return colormap(density(s.id, 3.0 * x / 0.96));
 }
 
 vec3 mark_point(int mark, float t) {
     float x = 6.0 * t - 3.0;
-    if (mark < 3) return in_box(mark, x, peaks(0, x));
-    if (mark < 5) return in_box(mark - 2, x, peaks(mark - 2, x)) - vec3(0.0, 0.02, 0.0);
+    if (mark < 3) return in_box(mark, x, density(0, vec2(x, 0.0)));
+    if (mark < 5) return in_box(mark - 2, x, density(mark - 2, vec2(x, 0.0))) - vec3(0.0, 0.02, 0.0);
     if (mark < 8) return in_box(mark - 5, x, 0.0);
     x *= 0.17;
     if (mark == 8) return in_box(1, x, exp(x * x) * (1.0 + x * x * m * m) * (1.0 + x * x * m * m));
-    return mark == 9 ? in_box(0, slope_ratio, t * peaks(0, slope_ratio)) : in_box(mark - 9, slope_ratio, t * 1.1);
+    return mark == 9 ? in_box(0, slope_ratio, t * density(0, vec2(slope_ratio, 0.0))) : in_box(mark - 9, slope_ratio, t * 1.1);
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(in_box(0, slope_ratio, peaks(0, slope_ratio)), 1.0);
+    if (i == 0) return vec4(in_box(0, slope_ratio, density(0, vec2(slope_ratio, 0.0))), 1.0);
     if (i < 4) return vec4(window(i - 1) + vec3(0.0, 0.0, 1.2), 1.0);
     return vec4(in_box(i - 4, 0.0, 0.0) - vec3(0.0, 0.0, 0.2), 1.0);
 }
@@ -1041,8 +1034,7 @@ vec4 probe(int i) {
         surfaces=(Surface("stable", cells=(1, 1)), Surface("fast", cells=(1, 1)), Surface("expensive", cells=(1, 1))),
         marks=(
             *(Mark(f"right {i}", colour="exact", segments=120, width=1.3) for i in range(3)),
-            Mark("fast", colour="printed", segments=240, width=1.3),
-            Mark("expensive", colour="lost", segments=240, width=1.3),
+            Mark("fast", colour="printed", segments=240, width=1.3), Mark("expensive", colour="lost", segments=240, width=1.3),
             *(Mark(f"floor {i}", colour="quiet") for i in range(3)),
             Mark("no minus", colour="r", line="dashdot", segments=60, label="no minus"),
             *(Mark(f"here {i}", colour="h", line="dashed") for i in range(3)),
