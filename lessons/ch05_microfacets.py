@@ -670,8 +670,8 @@ COOK_TORRANCE = Step(
     idea="A rough mirror is a product: how many facets face h, how many of them are free, and how much each reflects.",
     slides=(COOK_TORRANCE_MODEL(1), COOK_TORRANCE_MODEL(2)),
     prose=r"""
-Which facets send light from $\colour{l}{l}$ to $\colour{v}{v}$? Those that face $\colour{h}{h}$: a share
-$\colour{d}{D}$. Of these, $\colour{g}{G}$ stand free. Each reflects $\colour{f}{F}$.
+Which facets send light from $\colour{l}{l}$ to $\colour{v}{v}$? Those that face $\colour{h}{h}$: $\colour{d}{D}$ says how
+many. Of these a share $\colour{g}{G}$ stands free, and each reflects a share $\colour{f}{F}$.
 
 $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)}$$
 
@@ -802,7 +802,7 @@ theirs was four times too bright. Ask what else could eat the missing light at l
             "m: a head-on highlight shows F0. The ball in the furnace is summed over 72 facets, within 0.02; numbers are exact. Light that "
             "bounces twice is left out.",
     values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0), Value("theta_v", 30.0),
-            Value("prefactor", 0, choices=("1/4", "1/π, as printed")), Value("phi", 140.0, more=True),
+            Value("prefactor", 0, choices=("1/4, consistent", "as printed, 1/π")), Value("phi", 140.0, more=True),
             Value("f0", 0.95, more=True)),
     minutes=6,
 )
