@@ -978,7 +978,7 @@ Our copy of the slide also lacks the minus: the $\colour{r}{\text{dash-dotted}}$
 """,
     scene=Scene(
         glsl="""
-#include "optics/ndf.glsl"
+#include "optics/beckmann.glsl"
 #include "display/palette.glsl"
 uniform float m;
 uniform float slope_ratio;
