@@ -193,15 +193,21 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # Phong and Blinn
     "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    "complaint": Quantity("k", "", 0, 4, 2, "which complaint about Blinn-Phong", kind="int"),
     # the reflectance equation
     "tile_rows": Quantity("N", "", 1, 24, 6, "rows of tiles from the pole to the horizon", (1, 32), "log", "int"),
     "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),
     "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
     "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
+    "flaw": Quantity("k", "", 0, 5, 0, "what is wrong with the BRDF", kind="int"),
+    "weight": Quantity("k", "", 0, 1, 1, "1: the integral has the cosine", kind="int"),
     "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
+    "prefactor": Quantity("k", "", 0, 1, 0, "which prefactor: 1/4, or 1/pi as printed", kind="int"),
+    "exposed": Quantity("k", "", 0, 1, 0, "exposure: each at its own peak, or all alike", kind="int"),
+    "slope_ratio": Quantity("x", "", -3.0, 3.0, 0.8, "slope of a facet, in units of m"),
     "cosines": Quantity("k", "", 0, 1, 1, "1: area as seen from above; 0: the facets' own area", kind="int"),
     # grooves and rough diffuse surfaces
     "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),

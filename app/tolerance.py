@@ -172,9 +172,9 @@ def _blinn_albedo_terms(theta_v, exponent):
     return twin("normalisation_blinn_phong")(exponent) * _blinn_flux(theta_v, exponent, 1)
 
 
-def _sky_terms(function):
+def _sky_terms(function, glow=64):
     """Directions are rounded on the way: the sun's glow, a power of 128 of half an angle's cosine, moves by 64 u."""
-    return lambda exponent, **args: twin(function)(exponent=exponent, **args) * (64 + exponent)
+    return lambda exponent, **args: np.abs(twin(function)(exponent=exponent, **args)) * (glow + exponent)
 
 
 def _ones(**args):
@@ -231,10 +231,12 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
+    "hemisphere_meter": _sky_terms("hemisphere_meter", 0),
     **{name: _sky_terms(name) for name in ("reflected_radiance", "reflected_radiance_sum", "sun_share")},
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
+    **{name: twin(name) for name in ("albedo_cook_torrance", "albedo_cook_torrance_printed")},  # 1440 angles' terms
     "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
