@@ -87,7 +87,11 @@ TABLE = {  # a reflectance, what is said with it, and what is red: badge -> wors
     "Lambert, negative": (lambert(-0.1), {}, {"non_negative": (-0.1 / PI, 1e-12, None)}),
     "Phong's lobe, normalised": (phong(20), {}, {}),
     "Phong's lobe, very narrow": (phong(1e7), {}, {}),
-    "Phong, 1977": (phong(20, 1.0), {"shading": True}, {"reciprocal": (0.93, 0.05, None)}),
+    "Phong, 1977": (phong(20, 1.0), {"shading": True}, {"reciprocal": (0.93, 0.05, None),
+                                                        "energy": (3.028, 0.01, {"theta_l": 89.5})}),
+    "divided by n.l": (lambda n, l, v: lit(0.1 / np.maximum(l[..., 2], 1e-300), l, v), {},
+                       {"reciprocal": None, "energy": (0.1 * PI / math.cos(math.radians(89.5)), 0.03,
+                                                       {"theta_l": 89.5})}),
     "Phong, 1977, broad": (phong(0, 1.0), {"shading": True},
                            {"reciprocal": (0.93, 0.06, None), "energy": (2 * PI, 1e-3, {"theta_v": 0})}),
     "Blinn-Phong": (blinn(20), {}, {}),
@@ -125,6 +129,16 @@ def test_badges_are_green_and_red_where_theory_says(name):
         if at is not None:
             assert angles_of(found[badge]) == pytest.approx(at)
     json.dumps(badges.as_json(found), allow_nan=False)
+
+
+def test_light_is_made_at_grazing_incidence_by_phong_s_formula():
+    """int (r.v)^e n.v dw / n.l by many plain cells around r, those below the horizon left out."""
+    exponent, theta_l = 20, math.radians(89.5)
+    t, s = (np.arange(4000) + 0.5)[:, None] / 4000 * PI / 2, (np.arange(2000) + 0.5) / 2000 * PI
+    n_dot_v = np.maximum(math.cos(theta_l) * np.cos(t) + math.sin(theta_l) * np.sin(t) * np.cos(s), 0)
+    flux = 2 * np.sum(np.cos(t) ** exponent * n_dot_v * np.sin(t)) * (PI / 2 / 4000) * (PI / 2000)
+    badge = check(phong(exponent, 1.0), shading=True)["energy"]
+    assert badge.worst == pytest.approx(flux / math.cos(theta_l), rel=2e-3)
 
 
 def test_the_pair_that_is_told_is_not_reciprocal():

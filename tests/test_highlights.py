@@ -166,7 +166,7 @@ def test_complaints():
 
 RED = {  # a model, k_d, k_s, exponent, and what theory makes red, with the worst value
     ("brdf_phong_printed", 0.0, 1.0, 5.0): {"reciprocal": 0.954, "energy": math.pi / 3},
-    ("brdf_phong_printed", 0.25, 0.6, 20.0): {"reciprocal": 0.863},
+    ("brdf_phong_printed", 0.25, 0.6, 20.0): {"reciprocal": 0.863, "energy": None},  # only for light that grazes
     ("shading_phong", 0.7, 0.6, 50.0): {"reciprocal": 0.761, "energy": 0.7 * math.pi + 0.6 * 2 * math.pi / 51},
     ("brdf_phong", 0.3, 0.7, 1e7): {},
     ("brdf_phong", 0.7, 0.6, 50.0): {"energy": 1.3},
@@ -186,7 +186,7 @@ def test_badges_are_red_where_theory_says_so(case):
     found = badges.of_model(Model("", Term(function)), {"k_d": k_d, "k_s": k_s, "exponent": exponent})
     assert {name for name, badge in found.items() if not badge.ok} == set(RED[case])
     for name, worst in RED[case].items():
-        assert found[name].worst == pytest.approx(worst, rel=2e-3), name
+        assert worst is None or found[name].worst == pytest.approx(worst, rel=2e-3), name
 
 
 # --- the sampler -----------------------------------------------------------------------------------------------------
