@@ -202,6 +202,9 @@ TABLE: dict[str, Quantity] = {
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
+    "prefactor": Quantity("k", "", 0, 1, 0, "which prefactor: 1/4, or 1/pi as printed", kind="int"),
+    "exposed": Quantity("k", "", 0, 1, 0, "exposure: each at its own peak, or all alike", kind="int"),
+    "slope_ratio": Quantity("x", "", -3.0, 3.0, 0.8, "slope of a facet, in units of m"),
     "cosines": Quantity("k", "", 0, 1, 1, "1: area as seen from above; 0: the facets' own area", kind="int"),
     # grooves and rough diffuse surfaces
     "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),
@@ -229,7 +232,9 @@ FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta
 SPOKEN = {  # names that a person reads in other words
     "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
     "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
-    "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
+    "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
+    "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
+    "r_dot_v": "r·v",
 }
 
 

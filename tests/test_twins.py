@@ -342,8 +342,10 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
     "lobe_blinn_naive": NEARLY_MIRRORED,
     "d_beckmann_naive": NARROW,
     "d_beckmann_acos_naive": NARROW,
+    "d_beside_naive": {"slope_ratio": f32([0.5, 1.0, 2.0]), "m": f32([0.01, 1e-3, 1e-4])},
+    "d_beside_acos_naive": {"slope_ratio": f32([0.5, 1.0, 2.0]), "m": f32([0.01, 1e-3, 1e-4])},
 }
-STABLE = {"d_beckmann_acos_naive": "d_beckmann"}
+STABLE = {"d_beckmann_acos_naive": "d_beckmann", "d_beside_acos_naive": "d_beside"}
 
 
 def test_every_naive_form_is_tried():
