@@ -222,6 +222,8 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"facet": math.radians(45), "lean_l": 0.0, "lean_v": math.radians(75)}),
     ("microfacets/interreflections", "0.82: nearly flat", 0.82, 0.005, "rim_oren_nayar",
      {"disk_x": 0.94, "phase": 0.0, "sigma": math.radians(40)}),
+    ("microfacets/interreflections", "1.015 of the light", 1.015, 5e-4, "albedo_oren_nayar",
+     {"n_dot_v": 0.0, "rho": 1.0, "sigma": 0.2}),
     ("microfacets/interreflections", "it has 0.34 of the radiance", 0.34, 0.005, "disk_lambert",
      {"disk_x": 0.94, "phase": 0.0, "rho": 1.0}),
     ("microfacets/cook_torrance", "1.27, that is 4/π", 1.27, 0.005, "albedo_cook_torrance_printed",
