@@ -212,7 +212,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
     # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
-    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith", "albedo_geometry"), _ones),
     "cook_torrance_at": _schlick_terms,
     "cook_torrance_printed_at": lambda **args: 4 / np.pi * _schlick_terms(**args),
     "albedo_cook_torrance": lambda **args: twin("albedo_cook_torrance")(**args),  # of 1440 terms, each at its own angle

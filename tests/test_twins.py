@@ -178,6 +178,7 @@ def mirrored(a: dict, rng) -> dict:
 
 
 JOINT = {  # arguments that belong together
+    "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "cook_torrance_dg", "d_beckmann",
                      "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx", "slope_squared"), facing),
     **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at"), mirrored),
