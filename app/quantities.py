@@ -191,6 +191,8 @@ TABLE: dict[str, Quantity] = {
     "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
+    # the geometry term
+    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times a tangent", (0.0, 1e30), "log"),
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
@@ -200,7 +202,22 @@ TABLE: dict[str, Quantity] = {
     "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
     "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
     "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
+    # grooves and rough diffuse surfaces
+    "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),
+    "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
+    "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
+    "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
+    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness of a diffuse surface, EON"),
+    "disk_x": Quantity("x", "", -1.0, 1.0, 0.0, "place on the disk of a ball, from its middle to its rim at 1"),
+    "phase": Quantity(r"\gamma", "rad", 0.0, 1.4, 0.0, "angle between the light and the eye", extreme=(0.0, 1.5)),
+    "facets": Quantity("N", "", 100, 10000, 10000, "number of facets", (1, 20000), "log", "int"),
+    "place": Quantity("i", "", 0, 9999, 0, "number of a place on the plate", kind="int"),
+    "zoom": Quantity("Z", "", 1.0, 200.0, 1.0, "how much the plate is enlarged", scale="log"),
+    "groove_width": Quantity("w", "µm", 5.0, 100.0, 20.0, "width of a groove", (0.1, 1000.0), "log"),
 }
+
+# Vectors that are no values of a step: they follow from its angles
+FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
 
 
 def quantity(name: str) -> Quantity:

@@ -6,6 +6,7 @@ of a sum are than the sum itself, or what it costs to round a step on the way; o
 """
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -164,16 +165,17 @@ def _ones(**args):
 
 def _facet_area_terms(ndf, m, rows, cosines):
     """Every ring's angle is rounded, and a narrow D with it."""
-    ndf, a, m, d, weight = _rings(ndf, m, rows, cosines)
+    ndf, a, m, _, weight = _rings(ndf, m, rows, cosines)
     change = d_at(ndf, a * (1 + STEP), m) - d_at(ndf, a * (1 - STEP), m)
     return np.sum(np.abs(change) / (2 * STEP) * weight, -1)
 
 
-def _schlick_terms(theta_l, theta_v, phi, m, f0):
-    """1 - l.h is a difference, and with f0 near 0 there is nothing beside its power."""
-    l_dot_h = _l_dot_h(direction(theta_l, phi), direction(theta_v, 0.0))
-    all_of_it = twin("cook_torrance_at")(theta_l, theta_v, phi, m, 1.0)
-    return all_of_it * 5 * (1 - f0) * np.maximum(0, 1 - l_dot_h) ** 4
+def _facet_terms(function, m, f0, **angles):
+    """The directions of l and v are rounded before h is; 1 - l.h is a difference, all there is where f0 is near 0."""
+    l, v = direction(angles["theta_l"], angles["phi"]), direction(angles["theta_v"], 0.0)
+    white = twin(function)(**angles, m=m, f0=1.0)
+    rounded = moved(function, {**angles, "m": np.asarray(m), "f0": np.asarray(f0)})
+    return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
@@ -216,6 +218,10 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "cook_torrance_at": _schlick_terms,
     "cook_torrance_printed_at": lambda **args: 4 / np.pi * _schlick_terms(**args),
     "albedo_cook_torrance": lambda **args: twin("albedo_cook_torrance")(**args),  # of 1440 terms, each at its own angle
+    **{name: partial(_facet_terms, name) for name in (
+        "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
+    "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
+    "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
     "facet_area": _facet_area_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }

@@ -1,8 +1,8 @@
 """Beckmann's distribution of facets: in the deck's two forms, which lose their digits, and in one that does not.
 
-A facet distribution D is a density per steradian: D cos a dw is the share of the surface's area, seen from above, whose
-facets point into dw, so its integral with the cosine is 1. `slope2` is the square of a facet's slope, tan^2 of the angle
-a between n and h. `h` need not be of unit length: l + v is better than its direction.
+A facet distribution D is a density per steradian: D cos a dw is the share of the surface's area, seen from above,
+whose facets point into dw, so its integral with the cosine is 1. `slope2` is the square of a facet's slope, tan^2 of
+the angle a between n and h. `h` need not be of unit length: l + v is better than its direction.
 """
 
 import numpy as np
@@ -27,7 +27,8 @@ def slope_squared(n, h):
     n, h = np.broadcast_arrays(np.asarray(n, float), np.asarray(h, float))
     across, along = np.cross(n, h), _dot(n, h)
     towards = along > 0
-    return np.where(towards, np.minimum(_dot(across, across) / np.where(towards, along, 1) ** 2, STEEPEST), STEEPEST)[()]
+    slope2 = _dot(across, across) / np.where(towards, along, 1) ** 2
+    return np.where(towards, np.minimum(slope2, STEEPEST), STEEPEST)[()]
 
 
 def d_beckmann_slope(slope2, m):
@@ -87,7 +88,8 @@ def d_beckmann_printed(theta_h, m):
 
     e^(+tan^2 a / m^2) / (pi m^2 cos^4 a); the exponent is held at 80, where the curve has left every page
 
-    theta_h (...) rad below pi/2, m (...) RMS slope. Returns (...) 1/sr. Errors: none. Source: deck, Distribution Term (3).
+    theta_h (...) rad below pi/2, m (...) RMS slope. Returns (...) 1/sr. Errors: none.
+    Source: deck, Distribution Term (3).
     """
     theta_h, m = np.asarray(theta_h, float), np.maximum(np.asarray(m, float), SMOOTHEST)
     c = np.maximum(np.cos(theta_h), 1e-4)
@@ -141,15 +143,15 @@ def m_from_exponent(exponent):
     return np.sqrt(2 / (np.asarray(exponent, float) + 2))
 
 
-def sample_beckmann(s, t, m):
+def sample_beckmann(xi_1, xi_2, m):
     """A facet normal drawn from Beckmann's distribution, n being +z: as likely as its share of the area, D cos a.
 
-    tan^2 a = -m^2 log(1 - t), azimuth 2 pi s
+    tan^2 a = -m^2 log(1 - xi_1), azimuth 2 pi xi_2
 
-    s, t (...) in [0, 1), m (...) RMS slope. Returns (..., 3). Errors: none; t = 1 is taken as just below it.
+    xi_1, xi_2 (...) in [0, 1), m (...) RMS slope. Returns (..., 3). Errors: none; xi_1 = 1 is taken as just below it.
     Source: Walter et al. 2007, by inverting 1 - e^(-tan^2 a / m^2).
     """
-    s, t, m = np.broadcast_arrays(*(np.asarray(x, float) for x in (s, t, m)))
+    t, s, m = np.broadcast_arrays(*(np.asarray(x, float) for x in (xi_1, xi_2, m)))
     slope = np.maximum(m, SMOOTHEST) * np.sqrt(-np.log1p(-np.minimum(t, 1 - 2.0**-24)))
     h = np.stack([slope * np.cos(2 * pi * s), slope * np.sin(2 * pi * s), np.ones_like(slope)], -1)
     return h / np.sqrt(1 + slope**2)[..., None]

@@ -29,15 +29,15 @@ def d_ggx(n, h, alpha):
     return np.where(_dot(n, h) > 0, d_ggx_slope(slope_squared(n, h), alpha), 0.0)[()]
 
 
-def sample_ggx(s, t, alpha):
+def sample_ggx(xi_1, xi_2, alpha):
     """A facet normal drawn from GGX, n being +z: as likely as its share of the area, D cos a.
 
-    tan^2 a = alpha^2 t / (1 - t), azimuth 2 pi s
+    tan^2 a = alpha^2 xi_1 / (1 - xi_1), azimuth 2 pi xi_2
 
-    s, t (...) in [0, 1), alpha (...) its width. Returns (..., 3). Errors: none; t = 1 is taken as just below it.
-    Source: Walter et al. 2007.
+    xi_1, xi_2 (...) in [0, 1), alpha (...) its width. Returns (..., 3). Errors: none; xi_1 = 1 is taken as just
+    below it. Source: Walter et al. 2007.
     """
-    s, t, alpha = np.broadcast_arrays(*(np.asarray(x, float) for x in (s, t, alpha)))
+    t, s, alpha = np.broadcast_arrays(*(np.asarray(x, float) for x in (xi_1, xi_2, alpha)))
     t = np.minimum(t, 1 - 2.0**-24)
     rise, run = np.maximum(alpha, SMOOTHEST) * np.sqrt(t), np.sqrt(1 - t)
     h = np.stack([rise * np.cos(2 * pi * s), rise * np.sin(2 * pi * s), run], -1)

@@ -1,4 +1,4 @@
-"""Facet distributions side by side: Gauss, the normalised cosine lobe, Beckmann and GGX, as wide as each other at one m.
+"""Facet distributions side by side: Gauss, the normalised cosine lobe, Beckmann and GGX, equally wide at one m.
 
 `ndf` says which: 0 Gauss, 1 Blinn-Phong, 2 Beckmann, 3 GGX.
 """
@@ -103,7 +103,7 @@ def d_at(ndf, theta_h, m):
 def facet_area(ndf, m, rows, cosines):
     """The area of all facets over the area of the surface: as it is seen from above, near 1, or the facets' own.
 
-    sum over rings of 2 pi D(a) cos^k a sin a da, rings of equal height in the angle, k = cosines: 1 from above, 0 their own
+    sum over rings of equal height in the angle of 2 pi D(a) cos^k a sin a da, k = cosines: 1 from above, 0 their own
 
     ndf (...) int, m (...), rows (...) int, cosines (...) int 0 or 1. Returns (...). Errors: none.
     Source: deck, Distribution Term (1): "it is a normalized term".
@@ -127,7 +127,8 @@ def facet_area_of_lobe(exponent):
 
     f_n 2 pi / (n + 2), f_n = (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))), n = exponent
 
-    exponent >= 0 (...). Returns (...). Errors: none. Source: deck, Blinn-Phong BRDF (1) in Distribution Term (1)'s place.
+    exponent >= 0 (...). Returns (...). Errors: none.
+    Source: deck, Blinn-Phong BRDF (1) in the place of Distribution Term (1).
     """
     n = np.asarray(exponent, float)
     return 0.25 * (n + 4) / (n + np.exp2(-0.5 * n))

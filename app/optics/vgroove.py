@@ -42,8 +42,8 @@ def g_shadowing(n_dot_h, n_dot_l, l_dot_h):
 def g_vgroove(n_dot_h, n_dot_v, n_dot_l, l_dot_h):
     """The share of a facet that is both lit and seen: the geometry term of the Cook-Torrance model.
 
-    min(1, 2 n_dot_h n_dot_v / l_dot_h, 2 n_dot_h n_dot_l / l_dot_h), computed as
-    min(l_dot_h, 2 n_dot_h n_dot_v, 2 n_dot_h n_dot_l) / l_dot_h
+    min(1, 2 n_dot_h n_dot_v / l_dot_h, 2 n_dot_h n_dot_l / l_dot_h)
+    = min(l_dot_h, 2 n_dot_h n_dot_v, 2 n_dot_h n_dot_l) / l_dot_h
 
     n_dot_h, n_dot_v, n_dot_l, l_dot_h (...) 0 .. 1. Returns (...) 0 .. 1; 0 where l_dot_h = 0. Errors: none.
     Source: Torrance & Sparrow 1967; Blinn 1977; deck, Geometric Term (3).

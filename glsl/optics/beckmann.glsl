@@ -69,13 +69,13 @@ float m_from_exponent(float exponent) {
     return sqrt(2.0 / (exponent + 2.0));
 }
 
-vec3 sample_beckmann(float s, float t, float m) {
-    // Walter et al. 2007: tan^2 a = -m^2 log(1 - t); the built-in log errs near 1, there its odd series
-    t = min(t, 0.99999994);
+vec3 sample_beckmann(float xi_1, float xi_2, float m) {
+    // Walter et al. 2007: tan^2 a = -m^2 log(1 - xi_1); the built-in log errs near 1, there its odd series
+    float t = min(xi_1, 0.99999994);
     float z = t / (2.0 - t), q = z * z;
     float series = 2.0 * z * (1.0 + q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0 + q * (1.0 / 11.0 + q / 13.0))))));
     float slope = max(m, SMOOTHEST) * sqrt(t < 0.5 ? series : -log(1.0 - t));
-    return vec3(slope * cos(2.0 * PI * s), slope * sin(2.0 * PI * s), 1.0) / sqrt(1.0 + slope * slope);
+    return vec3(slope * cos(2.0 * PI * xi_2), slope * sin(2.0 * PI * xi_2), 1.0) / sqrt(1.0 + slope * slope);
 }
 
 float pdf_beckmann(vec3 n, vec3 l, vec3 v, float m) {

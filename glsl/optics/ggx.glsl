@@ -13,11 +13,11 @@ float d_ggx(vec3 n, vec3 h, float alpha) {
     return dot(n, h) > 0.0 ? d_ggx_slope(slope_squared(n, h), alpha) : 0.0;
 }
 
-vec3 sample_ggx(float s, float t, float alpha) {
-    // Walter et al. 2007: tan^2 a = alpha^2 t / (1 - t)
-    t = min(t, 0.99999994);
+vec3 sample_ggx(float xi_1, float xi_2, float alpha) {
+    // Walter et al. 2007: tan^2 a = alpha^2 xi_1 / (1 - xi_1)
+    float t = min(xi_1, 0.99999994);
     float rise = max(alpha, SMOOTHEST) * sqrt(t), run = sqrt(1.0 - t);
-    return vec3(rise * cos(2.0 * PI * s), rise * sin(2.0 * PI * s), run) / sqrt(rise * rise + run * run);
+    return vec3(rise * cos(2.0 * PI * xi_2), rise * sin(2.0 * PI * xi_2), run) / sqrt(rise * rise + run * run);
 }
 
 float pdf_ggx(vec3 n, vec3 l, vec3 v, float alpha) {

@@ -51,11 +51,6 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "fresnel.F0_from_ior": Twin("f0_from_eta"),
     "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
     "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
-    # the geometry term
-    "geometry.vgroove": Twin("vgroove_at"),
-    "smith.lambda_beckmann": Twin("lambda_beckmann_at", {"theta": "theta_v"}),
-    "smith.G1_beckmann": Twin("g1_beckmann_at", {"theta": "theta_v"}),
-    "smith.lambda_ggx": Twin("lambda_ggx_at", {"theta": "theta_v", "a": "alpha"}),
     # facets and the Cook-Torrance BRDF
     "ndf.beckmann": Twin("d_at", {"alpha": "theta_h"}, {"ndf": 2}),
     "ndf.ggx": Twin("d_at", {"theta": "theta_h", "a": "m"}, {"ndf": 3}),
@@ -65,8 +60,20 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "map.beckmann_m_to_phong_n": Twin("exponent_from_m"),
     "brdf.cook_torrance_vgroove_quarter": Twin("cook_torrance_at", {"F0": "f0"}),
     "brdf.cook_torrance_vgroove_deck": Twin("cook_torrance_printed_at", {"F0": "f0"}),
+    "brdf.cook_torrance_smithHC_quarter": Twin("cook_torrance_smith_at", {"F0": "f0"}),
+    "albedo.ggx_smithHC_F1": Twin("albedo_ggx", {"a": "alpha"}, {"f0": 1.0}),
     "albedo.cook_torrance_vgroove_quarter_F1": Twin("albedo_cook_torrance", fixed={"f0": 1.0}),
     "albedo.cook_torrance_vgroove_quarter_schlick": Twin("albedo_cook_torrance", {"F0": "f0"}),
+    # the geometry term
+    "geometry.vgroove": Twin("vgroove_at"),
+    "smith.lambda_beckmann": Twin("lambda_beckmann_at", {"theta": "theta_v"}),
+    "smith.G1_beckmann": Twin("g1_beckmann_at", {"theta": "theta_v"}),
+    "smith.lambda_ggx": Twin("lambda_ggx_at", {"theta": "theta_v", "a": "alpha"}),
+    # rough diffuse surfaces
+    "brdf.oren_nayar_qualitative": Twin("brdf_oren_nayar_at"),
+    "brdf.EON": Twin("brdf_eon_at", {"r": "roughness"}),
+    "albedo.FON": Twin("albedo_fon", {"r": "roughness", "mu": "n_dot_v"}),
+    "albedo.EON": Twin("albedo_eon", {"r": "roughness", "mu": "n_dot_v"}),
 }
 
 
