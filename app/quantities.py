@@ -191,8 +191,6 @@ TABLE: dict[str, Quantity] = {
     "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
     "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
-    # the geometry term
-    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times a tangent", (0.0, 1e30), "log"),
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),

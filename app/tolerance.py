@@ -159,10 +159,6 @@ def _f82_terms(l_dot_h, f0, f82):
     return schlick(l_dot_h, f0) + bend
 
 
-def _ones(**args):
-    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
-
-
 def _facet_area_terms(ndf, m, rows, cosines):
     """Every ring's angle is rounded, and a narrow D with it."""
     ndf, a, m, _, weight = _rings(ndf, m, rows, cosines)
@@ -176,6 +172,10 @@ def _facet_terms(function, m, f0, **angles):
     white = twin(function)(**angles, m=m, f0=1.0)
     rounded = moved(function, {**angles, "m": np.asarray(m), "f0": np.asarray(f0)})
     return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
+
+
+def _ones(**args):
+    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
@@ -213,16 +213,13 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
-    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
-    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith", "albedo_geometry"), _ones),
-    "cook_torrance_at": _schlick_terms,
-    "cook_torrance_printed_at": lambda **args: 4 / np.pi * _schlick_terms(**args),
-    "albedo_cook_torrance": lambda **args: twin("albedo_cook_torrance")(**args),  # of 1440 terms, each at its own angle
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
     "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
     "facet_area": _facet_area_terms,
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith", "albedo_geometry"), _ones),
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -47,7 +47,8 @@ def brdf_geometry(n, l, v, m, f0, geometry):
     D G F / (4 n.l n.v), D Beckmann's, F Schlick's; 0 unless n.l > 0 and n.v > 0
 
     n, l, v (..., 3) unit, m (...) RMS slope, f0 (...) share mirrored head-on, geometry (...) 0 .. 3.
-    Returns (...) 1/sr; without G it passes every bound at grazing. Errors: none. Source: deck, Geometric Term (1), with 1/4 for 1/pi.
+    Returns (...) 1/sr; without G it passes every bound at grazing. Errors: none.
+    Source: deck, Geometric Term (1), with 1/4 for 1/pi.
     """
     n, l, v = (np.asarray(x, float) for x in (n, l, v))
     s = l + v
