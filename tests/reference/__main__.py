@@ -44,7 +44,7 @@ def numbers(record: dict, twin: Twin) -> tuple[dict, float, float]:
         raise Usage(f"{record['name']}: {error}.") from None
     if not np.isfinite(value) or np.isinf(cond) or not all(np.all(np.isfinite(v)) for v in args.values()):
         raise Usage(f"{record['name']}: a number in it is not finite.")
-    args |= {name: np.float64(x) for name, x in twin.fixed.items()}
+    args |= {name: np.asarray(x, float) for name, x in twin.fixed.items()}
     if "corners" in args:
         args["corner_count"] = np.array(len(args["corners"]))
     return args, value, cond

@@ -2,11 +2,14 @@
 
 from dataclasses import dataclass, field
 
+from app.lesson import Number
+
 
 @dataclass(frozen=True)
 class Twin:
     function: str
     inputs: dict[str, str] = field(default_factory=dict)  # name of an input -> argument; itself where it is not named
+    fixed: dict[str, Number] = field(default_factory=dict)  # arguments the record does not carry
     fixed: dict[str, float] = field(default_factory=dict)  # arguments the record does not carry
     degrees: tuple[str, ...] = ()  # inputs that the record has in degrees
 
@@ -51,6 +54,13 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "fresnel.F0_from_ior": Twin("f0_from_eta"),
     "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
     "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
+    # Phong and Blinn
+    "vector.r_dot_v": Twin("mirror_cosine"),
+    "vector.n_dot_h": Twin("halfway_cosine", fixed={"n": (0.0, 0.0, 1.0)}),
+    "lobe.cos_power": Twin("cosine_lobe", {"n": "exponent"}),
+    "norm.phong_brdf": Twin("normalisation_phong", {"n": "exponent"}),
+    "norm.blinn_phong": Twin("normalisation_blinn_phong", {"n": "exponent"}),
+    "albedo.blinn_phong_normalised": Twin("albedo_blinn_phong", {"n": "exponent"}),
     # facets and the Cook-Torrance BRDF
     "ndf.beckmann": Twin("d_at", {"alpha": "theta_h"}, {"ndf": 2}),
     "ndf.ggx": Twin("d_at", {"theta": "theta_h", "a": "m"}, {"ndf": 3}),
