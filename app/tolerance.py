@@ -256,12 +256,6 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
-    **{name: partial(_facet_terms, name) for name in (
-        "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
-    "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
-    "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
-    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
-    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
     "facet_area": _facet_area_terms,
     "groove_intercept_printed": _intercept_terms,
     "crease_gap": _crease_terms,

@@ -14,7 +14,9 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    Lobes,
     Mark,
+    Model,
     Prediction,
     Readout,
     Scene,
@@ -28,38 +30,45 @@ PI = 3.141592653589793
 GEOMETRIC = "Cook – Torrance – Geometric Term ({})".format
 TERMS = ("none", "V-groove", "Smith", "Smith correlated")
 
-# A ball seen from far away. Its picked point is theta_v from the eye's direction, upwards; the light stands over that
-# point as theta_l and phi say, and is as far away.
-BALL_GLSL = """
+EYE_GLSL = """
 #include "stage/camera.glsl"
-uniform float theta_l;
 uniform float theta_v;
-uniform float phi;
 
-vec3 eye() {
-    return normalize(camera_position);
+vec3 eye() { return normalize(camera_position); }
+
+vec3 up() {
+    vec3 v = eye();
+    return normalize(vec3(0.0, 0.0, 1.0) - v.z * v);
 }
 
+vec3 aside() { return cross(up(), eye()); }
+"""
+# A ball seen from far away. Its picked point is theta_v from the eye's direction, upwards; the light stands over that
+# point as theta_l and phi say, and is as far away.
+BALL_GLSL = EYE_GLSL + """
+uniform float theta_l;
+uniform float phi;
+
 vec3 picked() {
-    vec3 v = eye(), up = normalize(vec3(0.0, 0.0, 1.0) - v.z * v);
-    return cos(theta_v) * v + sin(theta_v) * up;
+    return cos(theta_v) * eye() + sin(theta_v) * up();
 }
 
 vec3 lamp() {
-    vec3 v = eye(), up = normalize(vec3(0.0, 0.0, 1.0) - v.z * v), along = sin(theta_v) * v - cos(theta_v) * up;
-    return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along + sin(phi) * cross(v, up));
+    vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
+    return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
 }
 """
 GOLD_GLSL = """
+#include "optics/fresnel.glsl"
+#include "display/palette.glsl"
+uniform float m;
 const vec3 GOLD = vec3(1.0, 0.71, 0.29); // deck, Fresnel Term (6)
 
 vec3 mirrored(vec3 s) {
     return vec3(f_schlick(0.5 * length(s), GOLD.r), f_schlick(0.5 * length(s), GOLD.g), f_schlick(0.5 * length(s), GOLD.b));
 }
 
-vec3 film(vec3 radiance) {
-    return 1.0 - exp(-radiance); // bright light turns white slowly, as on film
-}
+vec3 film(vec3 radiance) { return 1.0 - exp(-radiance); } // bright light turns white slowly
 """
 
 WHY = Step(
@@ -80,34 +89,21 @@ Drag the $\colour{v}{\text{ring}}$ [to the middle](?theta_v=20) and [to the rim]
 [rougher](?m=1), [smoother](?m=0.2).
 """,
     scene=Scene(
-        glsl="""
+        glsl=EYE_GLSL + """
 #include "optics/geometry_choice.glsl"
-#include "display/look.glsl"
-#include "stage/camera.glsl"
-uniform float theta_v;
 uniform float m;
 
 const float SIZE = 1.6;
 const float RELIEF = 0.02; // the ball is a disk before the eye; its depth carries the light, worked out at its corners
 
-vec3 eye() {
-    return normalize(camera_position);
-}
-
-vec3 up() {
-    vec3 v = eye();
-    return normalize(vec3(0.0, 0.0, 1.0) - v.z * v);
-}
-
 vec3 around(float turn) {
-    return cos(turn) * up() + sin(turn) * cross(up(), eye());
+    return cos(turn) * up() + sin(turn) * aside();
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    vec3 v = eye();
-    if (surface == 2) return -v + 2.6 * (2.0 * s.x - 1.0) * cross(up(), v) + 2.3 * (2.0 * s.y - 1.0) * up();
+    if (surface == 2) return 2.6 * (2.0 * s.x - 1.0) * aside() + 2.3 * (2.0 * s.y - 1.0) * up() - eye();
     float angle = radians(89.5) * s.y * (2.0 - s.y), light = albedo_geometry(angle, m, surface == 0 ? 1 : 0);
-    return SIZE * sin(angle) * around(PI * (surface == 0 ? -s.x : s.x)) + RELIEF * light * v;
+    return SIZE * sin(angle) * around(PI * (surface == 0 ? -s.x : s.x)) + RELIEF * light * eye();
 }
 
 vec3 shade(Surface s) {
@@ -125,7 +121,7 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     if (i == 0) return vec4(SIZE * sin(theta_v) * around(0.9) + 0.3 * eye(), 1.0);
-    return vec4((i == 1 ? -1.25 : 1.25) * cross(up(), eye()) - 1.9 * up(), 1.0);
+    return vec4((i == 1 ? -1.25 : 1.25) * aside() - 1.9 * up(), 1.0);
 }
 """,
         surfaces=(Surface("with G", cells=(24, 48)), Surface("without G", cells=(24, 48)), Surface("sky", cells=(1, 1))),
@@ -179,9 +175,7 @@ GROOVE_GLSL = """
 #include "display/look.glsl"
 uniform float facet;
 
-float wide() {
-    return 2.0 * cos(facet);
-}
+float wide() { return 2.0 * cos(facet); }
 
 vec3 relief(float x, float y) {
     float u = fract(x / wide() + 0.5);
@@ -229,9 +223,7 @@ uniform int samples;
 const float FAR = 2.1; // from the middle of the groove to the strip before the eye
 const int RAYS = 48;
 
-vec3 way() {
-    return vec3(sin(lean_v), 0.0, cos(lean_v));
-}
+vec3 way() { return vec3(sin(lean_v), 0.0, cos(lean_v)); }
 
 vec3 start(int ray) {
     return groove_point(facet, (float(ray) + 0.5) / float(samples));
@@ -365,9 +357,7 @@ uniform float lean_v;
 
 const float FAR = 2.0;
 
-vec3 way(float lean) {
-    return vec3(sin(lean), 0.0, cos(lean));
-}
+vec3 way(float lean) { return vec3(sin(lean), 0.0, cos(lean)); }
 
 vec3 surface_point(int surface, vec2 s) {
     vec3 p = relief(2.5 * wide() * (2.0 * s.x - 1.0), 3.0 * s.y - 1.5);
@@ -456,14 +446,448 @@ it, because there are no shadows any more; but now the eye looks low, and maskin
     sources=("Deck, slide Geometric Term (3)", "Torrance & Sparrow 1967", "Blinn 1977", "Helmholtz 1856: reciprocity"),
     honesty="Exact in the plane across endless grooves, light and eye far away and on the same side. The colours say where "
             "light and sight reach, not how bright it is. Light that was blocked once is not followed further.",
-    values=(Value("lean_l", 75.0, low=0.0, high=88.0), Value("lean_v", 40.0, low=0.0, high=88.0),
+    values=(Value("lean_l", 75.0, low=0.0, high=88.0), Value("lean_v", 58.0, low=0.0, high=88.0),
             Value("facet", 45.0, low=15.0, high=72.0)),
     minutes=5,
 )
 
+COMBINED = Step(
+    name="combined",
+    title="The least of three",
+    idea="G is the least of 1, masking and shadowing; where another of the three becomes the least, G has a crease.",
+    slides=(GEOMETRIC(3), "Combined G"),
+    prose=r"""
+Masked and shadowed parts of a facet overlap, so only the larger counts:
+
+$$G = \min\left\{1,\ \colour{v}{\frac{2(n\cdot h)(n\cdot v)}{v\cdot h}},\ \colour{l}{\frac{2(n\cdot h)(n\cdot l)}{v\cdot h}}\right\}$$
+
+The left ball is a map: which of the three is it? Round the rim $\colour{v}{\text{masking}}$, along the edge of the day
+$\colour{l}{\text{shadowing}}$, and in between a broad band where **nothing** is blocked. The right ball shows $G$ itself.
+It has no jumps, but it has **creases**.
+
+Drag the $\colour{l}{\text{light}}$ [behind the eye](?theta_l=55&phi=0), [to the side](?theta_l=40&phi=180) and
+[far behind the ball](?theta_l=80&phi=180). Where light and eye agree, everything is seen that is lit: masking and shadowing
+meet in one line.
+""",
+    scene=Scene(
+        glsl=BALL_GLSL + """
+#include "optics/vgroove.glsl"
+#include "optics/spherical.glsl"
+#include "display/palette.glsl"
+
+const float SIZE = 1.5;
+
+vec3 centre(int ball) {
+    return (ball == 0 ? -1.75 : 1.75) * aside();
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface < 2) return centre(surface) + SIZE * sphere_point(s.x, s.y);
+    return (3.6 + 0.2 * s.x) * aside() + 1.5 * (2.0 * s.y - 1.0) * up();
+}
+
+// The next of the three terms less the least, over a pixel: below 1 on a crease
+float off_crease(vec4 c) {
+    float low = 2.0 * c.x * min(c.y, c.z) / c.w, high = 2.0 * c.x * max(c.y, c.z) / c.w;
+    float one = abs(low - 1.0) / max(fwidth(low), 1e-6), two = abs(high - low) / max(fwidth(high - low), 1e-6);
+    return low < 1.0 ? min(one, two) : one;
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 2) return colormap(s.st.y);
+    vec3 n = (s.position - centre(s.id)) / SIZE, v = eye(), l = lamp(), both = l + v;
+    float size = length(both);
+    vec4 c = vec4(dot(n, both) / size, dot(n, v), dot(n, l), 0.5 * size);
+    float branch = g_branch(c.x, c.y, c.z, c.w), line = smoothstep(0.6, 1.8, off_crease(c));
+    if (c.z <= 0.0 || c.y <= 0.0) return mix(background, palette[COLOUR_QUIET], 0.16 + 0.12 * max(dot(n, s.v), 0.0));
+    if (s.id == 1) return mix(palette[COLOUR_EXACT], colormap(g_vgroove(c.x, c.y, c.z, c.w)), line);
+    vec3 colour = branch < 0.5 ? mix(palette[COLOUR_QUIET], vec3(1.0), 0.25) : palette[branch < 1.5 ? COLOUR_V : COLOUR_L];
+    return mix(palette[COLOUR_EXACT], colour * (0.55 + 0.45 * c.y), line);
+}
+
+vec3 mark_point(int mark, float t) {
+    int ball = mark < 2 ? 0 : 1;
+    vec3 p = centre(ball) + 1.01 * SIZE * picked();
+    if (mark == 0) return p + 0.8 * t * picked();
+    if (mark == 1) return p + 0.8 * t * lamp();
+    float turn = 2.0 * PI * t;
+    return p + 0.01 * eye() + 0.09 * (cos(turn) * aside() + sin(turn) * cross(picked(), aside()));
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(centre(0) + 1.01 * SIZE * picked(), 1.0);
+    if (i == 1) return vec4(centre(0) + 1.01 * SIZE * picked() + 0.8 * lamp(), 1.0);
+    if (i < 4) return vec4(centre(i - 2) - 1.85 * up(), 1.0);
+    return vec4(4.0 * aside() + (i == 4 ? -1.5 : 1.5) * up(), 1.0);
+}
+""",
+        surfaces=(Surface("map", cells=(96, 48)), Surface("G", cells=(96, 48)), Surface("scale", cells=(1, 16))),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+               Mark("the same place", colour="exact", segments=24, width=1.2)),
+        labels=(Label("which is the least", 2), Label("G", 3), Label("0", 4), Label("1", 5)),
+        handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        legend=(("quiet", "1: nothing blocks"), ("v", "masking"), ("l", "shadowing")),
+        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.15, 0.0, 0.0), field_of_view=7),
+    ),
+    plot=Curves(
+        title="At the picked place, against the light's angle",
+        sweep="theta_l",
+        curves=(Curve("masking", Term("masking_at"), role="estimate"),
+                Curve("shadowing", Term("shadowing_at"), role="printed"),
+                Curve("G, the least", Term("vgroove_at"))),
+        y_label="share of the facets",
+    ),
+    readouts=(
+        Readout("masking", Term("masking_at"), unit=""),
+        Readout("shadowing", Term("shadowing_at"), unit=""),
+        Readout("G", Term("vgroove_at"), role="exact", unit=""),
+        Readout("gap to the next", Term("crease_gap"), unit=""),
+    ),
+    ask=Prediction(
+        question="Lines run over the ball where its brightness bends. Where do the creases come from?",
+        truth=Term("crease_gap", {"theta_l": 75 * PI / 180, "theta_v": 45 * PI / 180, "phi": PI}),
+        unit="",
+        choices=(Choice("the ball has too few triangles", 0.3, 1.0),
+                 Choice("two of the three terms are equal there", -1e-6, 1e-6),
+                 Choice("a ridge throws its shadow there", 0.01, 0.29)),
+        sets={"theta_l": 75.0, "theta_v": 45.0, "phi": 180.0},
+        told="The picked place now sits on a crease: 1 and shadowing are equal, the gap is 0. Another one takes over, and "
+             "the slope of G jumps.",
+    ),
+    notes="""
+Ask first what shape the regions have, then show the map. Move the light slowly from the eye to the far side: the coloured
+bands grow inwards. A place that is never blocked is one whose h leans little. Let them find the place where all three are
+equal; there is a corner. Why does it matter? Real surfaces have no such lines: they come from grooves all of one kind,
+endless and symmetric. Seen on a smooth metal they never show, as there D is 0. Common wrong answer: the mesh; zoom in,
+the line stays. 6 minutes.
+""",
+    sources=("Deck, slides Geometric Term (3) and Combined G", "Torrance & Sparrow 1967", "Blinn 1977"),
+    honesty="The map and G are exact for each pixel, for a far eye and a far light. The creases are exact too: a property "
+            "of the V-groove model, not of surfaces.",
+    values=(Value("theta_v", 74.0, low=0.0, high=88.0), Value("theta_l", 14.0, low=0.0, high=88.0),
+            Value("phi", 180.0, low=0.0, high=180.0)),
+    minutes=6,
+)
+
+WITH_WITHOUT = Step(
+    name="with_without",
+    title="With and without G at grazing light",
+    idea="The product D·G·F is what one sees; without G every grazing view is too bright, and the rougher the more.",
+    slides=("Without G", "With G"),
+    prose=r"""
+Three factors, three pictures below: $\colour{d}{D}$ says how many facets mirror towards you, $\colour{f}{F}$ how much they
+mirror, and $\colour{g}{G}$ how many are left when the blocked ones are gone. Above, their product over $4 (n\cdot l)(n\cdot v)$
+for gold, lit from behind: left **with** G, right **without**.
+
+The light comes in low, so $n\cdot l$ is small all along the edge of the day, and $n\cdot v$ along the rim. Without G the
+edge is cut as with a knife, and the rim burns out.
+
+How much too bright? In even light at 85° a surface of [m = 0.3](?m=0.3&theta_v=85) sends back 1.53 times what it gets,
+[m = 0.5](?m=0.5&theta_v=85) 2.15 times, [m = 1](?m=1&theta_v=85) 3.73 times.
+""",
+    scene=Scene(
+        glsl=BALL_GLSL + GOLD_GLSL + """
+#include "optics/cook_torrance.glsl"
+#include "optics/vgroove.glsl"
+const float SIZE = 1.55;
+const float SMALL = 0.62;
+
+vec3 centre(int ball) {
+    return ball == 0 ? 0.75 * up() : 1.65 * float(ball - 2) * aside() - 1.85 * up();
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface < 4) return centre(surface) + (surface == 0 ? SIZE : SMALL) * sphere_point(s.x, s.y);
+    return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + 3.1 * (2.0 * s.y - 1.0) * up();
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 4) return vec3(0.010, 0.013, 0.02) * (0.4 + 1.6 * s.st.y);
+    vec3 n = (s.position - centre(s.id)) / (s.id == 0 ? SIZE : SMALL), l = lamp(), v = s.v, both = l + v;
+    float n_dot_l = dot(n, l), n_dot_v = dot(n, v), size = length(both);
+    vec3 dark = vec3(0.035, 0.03, 0.025) * (0.5 + 0.5 * max(n_dot_v, 0.0));
+    if (min(n_dot_l, n_dot_v) <= 0.0) return dark;
+    if (s.id == 1) return mix(dark, palette[COLOUR_D], film(vec3(3.0 * d_beckmann(n, both, m) * m * m)));
+    if (s.id == 2) return mix(dark, palette[COLOUR_G], g_vgroove(dot(n, both) / size, n_dot_v, n_dot_l, 0.5 * size));
+    if (s.id == 3) return mirrored(both);
+    bool right = dot(s.position, aside()) > 0.0;
+    float dg = right ? d_beckmann(n, both, m) / (4.0 * n_dot_l * n_dot_v) : cook_torrance_dg(n, l, v, m);
+    return film(dark + 1.9 * dg * n_dot_l * mirrored(both));
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 p = centre(0) + 1.01 * SIZE * picked();
+    if (mark == 0) return p + 0.7 * t * picked();
+    if (mark == 1) return p + 0.7 * t * lamp();
+    return centre(0) + 1.02 * SIZE * (cos(PI * (t - 0.5)) * eye() + sin(PI * (t - 0.5)) * up());
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(centre(0) + 1.01 * SIZE * picked(), 1.0);
+    if (i == 1) return vec4(centre(0) + 1.01 * SIZE * picked() + 0.7 * lamp(), 1.0);
+    if (i < 5) return vec4(centre(i - 1) - 0.88 * up(), 1.0);
+    return vec4(centre(0) + (i == 5 ? -1.0 : 1.0) * 1.75 * aside() - 1.25 * up(), 1.0);
+}
+""",
+        surfaces=(Surface("gold", cells=(96, 48)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
+                  Surface("F", cells=(40, 20)), Surface("dark room", cells=(1, 1))),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+               Mark("divide", colour="quiet", line="dotted", segments=32)),
+        labels=(Label("D", 2, "d"), Label("G", 3, "g"), Label("F", 4, "f"), Label("with G", 5),
+                Label("without G", 6, "printed")),
+        handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.0, 0.0, 0.0), field_of_view=9),
+    ),
+    plot=(
+        Curves(
+            title="Light out over light in, F = 1",
+            sweep="m",
+            curves=(Curve("with G", Term("albedo_geometry", {"geometry": 1})),
+                    Curve("without G", Term("albedo_geometry", {"geometry": 0}), role="printed")),
+            y_label="share that comes back",
+        ),
+        Lobes("The lobe of this light"),
+    ),
+    readouts=(
+        Readout("G for this light", Term("vgroove_at"), unit=""),
+        Readout("even light, with G", Term("albedo_geometry", {"geometry": 1}), role="exact", unit=""),
+        Readout("even light, without G", Term("albedo_geometry", {"geometry": 0}), role="printed", unit="",
+                against="even light, with G"),
+    ),
+    models=(Model("with G", Term("brdf_geometry", {"f0": 1.0, "geometry": 1}), "exact"),
+            Model("without G", Term("brdf_geometry", {"f0": 1.0, "geometry": 0}), "printed")),
+    ask=Prediction(
+        question="Facets with slopes near 1, all perfect mirrors, at 85°. How many times the light that came in goes out "
+                 "without G?",
+        truth=Term("albedo_geometry", {"theta_v": 85 * PI / 180, "m": 1.0, "geometry": 0}),
+        unit="times",
+        low=0.0,
+        high=6.0,
+        sets={"theta_v": 85.0, "m": 1.0},
+        told="3.73 times. G keeps 0.97 of the light. A smooth surface hardly needs G; a rough one is nothing without it.",
+    ),
+    notes="""
+Start with m = 0.1: the halves are the same ball. Slide m up and stop where the first student sees the seam. Then ask
+which of the three small balls is to blame, and why F cannot help (it only grows towards the rim). Point at the knife edge
+on the right: there n·l goes to 0 and cancels, so light switches on at full strength. Two badges: without G the energy one
+is red, and a click takes you to its worst angle; reciprocity is green, as both cosines are below. 6 minutes.
+""",
+    sources=("Deck, slides Without G and With G", "Cook & Torrance 1982", "Torrance & Sparrow 1967"),
+    honesty="The product is exact per pixel with Beckmann's D and Schlick's F for the deck's gold (1, 0.71, 0.29); the film "
+            "turns strong light white, D is scaled to be seen, a little light of the room is added.",
+    values=(Value("m", 0.6, low=0.1, high=1.0), Value("theta_v", 78.0, low=0.0, high=88.0),
+            Value("theta_l", 26.0, low=0.0, high=88.0), Value("phi", 180.0, low=0.0, high=180.0, more=True)),
+    minutes=6,
+)
+
+SMITH = Step(
+    name="smith",
+    title="Smith's G, and a test without loopholes",
+    idea="What the facets show to the eye must add up to just the area of the plate; V-grooves and Smith's G pass.",
+    slides=(GEOMETRIC(3),),
+    prose=r"""
+Grooves are one way to arrange facets. **Smith** throws them at random: then each facet has the same chance to be seen,
+whichever way it faces, and no creases are left.
+
+$$G_1 = \frac{1}{1 + \Lambda(v)}, \qquad G = \frac{1}{1 + \Lambda(v) + \Lambda(l)}$$
+
+This $G$ knows that a facet that lies **high** is both seen and lit. The older product $G_1(v)\,G_1(l)$ does not, and takes
+too much.
+
+The test: look at the plate. What its facets show you must fill it, no more, no less. The bars add up
+$\int D\,G_1 \max(0, v\cdot h)\,d\omega_h$ over $n\cdot v$. Without $G$ they show [too much](?theta_v=85&m=1); every good
+$G_1$ gives **1**, [rough](?m=1) or [smooth](?m=0.2).
+""",
+    scene=Scene(
+        glsl=BALL_GLSL + GOLD_GLSL + """
+#include "optics/geometry_choice.glsl"
+const float SIZE = 1.0;
+const float FLOOR = -3.3; // of the bars
+const float ONE = 1.15; // their height at 1
+
+vec3 centre(int ball) {
+    return 2.3 * (float(ball) - 1.5) * aside() + 0.3 * up();
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface < 4) return centre(surface) + SIZE * sphere_point(s.x, s.y);
+    if (surface == 8) return -2.0 * eye() + 4.75 * (2.0 * s.x - 1.0) * aside() + (-1.1 + 2.75 * (2.0 * s.y - 1.0)) * up();
+    int bar = surface - 4;
+    float tall = min(weak_furnace(theta_v, m, bar), 1.6);
+    return centre(bar) + (2.0 * s.x - 1.0) * 0.45 * aside() + (FLOOR - 0.3 + ONE * tall * s.y) * up();
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 8) return vec3(0.010, 0.013, 0.02) * (0.4 + 1.6 * s.st.y);
+    if (s.id > 3) {
+        float above = (dot(s.position - centre(s.id - 4), up()) - FLOOR + 0.3) / ONE;
+        bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 4.0;
+        return above <= 1.001 ? palette[COLOUR_V] : stripe ? palette[COLOUR_PRINTED] : 0.4 * palette[COLOUR_PRINTED];
+    }
+    vec3 n = (s.position - centre(s.id)) / SIZE, l = lamp(), v = s.v, both = l + v;
+    vec3 dark = vec3(0.035, 0.03, 0.025) * (0.5 + 0.5 * max(dot(n, v), 0.0));
+    return film(dark + 2.2 * brdf_geometry(n, l, v, m, 1.0, s.id) * max(dot(n, l), 0.0) * mirrored(both));
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 p = centre(1) + 1.01 * SIZE * picked();
+    if (mark == 0) return p + 0.6 * t * picked();
+    if (mark == 1) return p + 0.6 * t * lamp();
+    return (9.2 * t - 4.6) * aside() + (FLOOR + ONE) * up() + 0.1 * eye();
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(centre(1) + 1.01 * SIZE * picked(), 1.0);
+    if (i == 1) return vec4(centre(1) + 1.01 * SIZE * picked() + 0.6 * lamp(), 1.0);
+    if (i < 6) return vec4(centre(i - 2) - 1.3 * up(), 1.0);
+    return vec4(-4.6 * aside() + (FLOOR + ONE + 0.22) * up(), 1.0);
+}
+""",
+        surfaces=(*(Surface(name, cells=(64, 32)) for name in TERMS), *(Surface(f"{name}, sum", cells=(1, 1)) for name in TERMS),
+                  Surface("dark room", cells=(1, 1))),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+               Mark("one", colour="exact", line="dashed")),
+        labels=(Label("none", 2, "printed"), Label("V-groove", 3), Label("product", 4), Label("heights", 5),
+                Label("1", 6)),
+        handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        legend=(("v", "what the facets show"), ("printed", "more than there is")),
+        camera=Camera(azimuth=-90, elevation=8, distance=50, target=(0.0, 0.0, -1.1), field_of_view=7.6),
+    ),
+    plot=(
+        Curves(
+            title="G at the picked place, against the light's angle",
+            sweep="theta_l",
+            curves=(Curve("V-groove", Term("geometry_at", {"geometry": 1})),
+                    Curve("Smith, heights", Term("geometry_at", {"geometry": 3}), role="estimate"),
+                    Curve("Smith, product", Term("geometry_at", {"geometry": 2}), role="printed")),
+            y_label="share of the facets",
+        ),
+        Curves(
+            title="What facets of one tilt show, over their share",
+            sweep="theta_h",
+            curves=(Curve("V-groove", Term("furnace_ring", {"geometry": 1})),
+                    Curve("Smith", Term("furnace_ring", {"geometry": 3}), role="estimate"),
+                    Curve("none", Term("furnace_ring", {"geometry": 0}), role="printed")),
+            y_label="seen / share",
+        ),
+        Lobes("Three lobes of one surface"),
+    ),
+    readouts=(
+        Readout("none", Term("weak_furnace", {"geometry": 0}), role="printed", unit="", against="Smith"),
+        Readout("V-groove", Term("weak_furnace", {"geometry": 1}), unit=""),
+        Readout("Smith", Term("weak_furnace", {"geometry": 3}), role="exact", unit=""),
+        Readout("Smith, quick fit", Term("weak_furnace_rational"), role="estimate", unit="", against="Smith"),
+    ),
+    models=(Model("V-groove", Term("brdf_geometry", {"f0": 1.0, "geometry": 1}), "exact"),
+            Model("Smith, product", Term("brdf_geometry", {"f0": 1.0, "geometry": 2}), "printed"),
+            Model("Smith, heights", Term("brdf_geometry", {"f0": 1.0, "geometry": 3}), "estimate")),
+    ask=Prediction(
+        question="At 80°, slopes near 1, all facets together would show 2.15 times the area of the plate if nothing hid them. "
+                 "What does Smith's G leave?",
+        truth=Term("weak_furnace", {"theta_v": 80 * PI / 180, "m": 1.0, "geometry": 3}),
+        unit="",
+        choices=(Choice("a little less than the plate: some is lost", 0.0, 0.999),
+                 Choice("just the plate", 0.999, 1.001),
+                 Choice("a little more: it is an estimate", 1.001, 2.1)),
+        sets={"theta_v": 80.0, "m": 1.0},
+        told="Just the plate: 1.000, for every angle and every m. V-grooves do it too, even for each tilt by itself.",
+    ),
+    notes="""
+Ask what a plate full of holes may show you: as much as its outline, never more, as there is no way to see past it.
+That is the whole test. The second plot shows how they pass: V-grooves tilt by tilt, Smith only in the sum, as it hides
+each facet alike. Passing is not keeping all light: what is blocked still gets lost. At 85° and m = 1 in even light the
+product keeps 0.906, heights 0.959, V-grooves 0.970. Common wrong answer: Smith is softer, so it must be less exact. It is
+what most programs use today. 7 minutes.
+""",
+    sources=("Smith 1967", "Walter et al. 2007: the quick fit", "Heitz 2014: heights, and the weak white furnace",
+             "Deck, slide Geometric Term (3)"),
+    honesty="Sums to 1e-6. Smith's terms are exact for heights that have nothing to do with their neighbours; real surfaces "
+            "lie between. Beckmann's D, mirrors of gold, light that is blocked is dropped.",
+    values=(Value("m", 0.8, low=0.1, high=1.0), Value("theta_v", 78.0, low=0.0, high=88.0),
+            Value("theta_l", 30.0, low=0.0, high=88.0), Value("theta_h", 40.0, low=0.0, high=88.0, more=True),
+            Value("phi", 180.0, low=0.0, high=180.0, more=True)),
+    minutes=7,
+    beyond=True,
+)
+
+GROOVE_PYTHON = """import numpy as np
+
+def g_vgroove(n_dot_h, n_dot_v, n_dot_l, l_dot_h):
+    # The share of a facet that is lit and seen. All cosines: (...), from 0 to 1.
+    return np.zeros(np.broadcast_shapes(*map(np.shape, (n_dot_h, n_dot_v, n_dot_l, l_dot_h))))
+"""
+GROOVE_PYTHON_SOLVED = """import numpy as np
+
+def g_vgroove(n_dot_h, n_dot_v, n_dot_l, l_dot_h):
+    return np.minimum(1.0, 2 * n_dot_h * np.minimum(n_dot_v, n_dot_l) / l_dot_h)
+"""
+GROOVE_GLSL_HEAD = "float g_vgroove(float n_dot_h, float n_dot_v, float n_dot_l, float l_dot_h) {\n"
+GROOVE_GLSL_STUB = GROOVE_GLSL_HEAD + "    return 0.0;\n}\n"
+GROOVE_GLSL_SOLVED = GROOVE_GLSL_HEAD + "    return min(1.0, 2.0 * n_dot_h * min(n_dot_v, n_dot_l) / l_dot_h);\n}\n"
+SMITH_PYTHON = """import numpy as np
+
+def lambda_ggx_slope(slope):
+    # Hidden over seen; slope = alpha tan(theta): (...), from 0 up.
+    return np.zeros(np.shape(slope))
+"""
+SMITH_PYTHON_SOLVED = """import numpy as np
+
+def lambda_ggx_slope(slope):
+    square = np.asarray(slope, float) ** 2
+    return square / (2 * (1 + np.sqrt(1 + square)))
+"""
+SMITH_GLSL_STUB = "float lambda_ggx_slope(float slope) {\n    return 0.0;\n}\n"
+SMITH_GLSL_SOLVED = """float lambda_ggx_slope(float slope) {
+    float square = slope * slope;
+    return square / (2.0 * (1.0 + sqrt(1.0 + square))); // sqrt(1 + square) - 1 loses its digits where slope is small
+}
+"""
+
 CHAPTER = Chapter(
     title="The geometry term",
     idea="Facets hide each other from the eye and from the light; G is the share that is left.",
-    steps=(WHY, MASKING, SHADOWING),
-    exercises=(),
+    steps=(WHY, MASKING, SHADOWING, COMBINED, WITH_WITHOUT, SMITH),
+    exercises=(
+        Exercise(
+            name="vgroove",
+            function="g_vgroove",
+            task="Write the geometry term of V-grooves: the least of 1, masking and shadowing. One division is enough.",
+            slide=GEOMETRIC(3),
+            stubs={"python": GROOVE_PYTHON, "glsl": GROOVE_GLSL_STUB},
+            solutions={"python": GROOVE_PYTHON_SOLVED, "glsl": GROOVE_GLSL_SOLVED},
+            checks=(
+                Check({"n_dot_h": (1.0, 0.95), "n_dot_v": (0.9, 0.8), "n_dot_l": (0.9, 0.7), "l_dot_h": (0.9, 0.8)},
+                      "high up nothing is blocked"),
+                Check({"n_dot_h": (0.8, 0.6), "n_dot_v": (0.1, 0.2), "n_dot_l": (0.7, 0.5), "l_dot_h": (0.5, 0.6)},
+                      "a low eye: masking"),
+                Check({"n_dot_h": (0.8, 0.6), "n_dot_v": (0.7, 0.5), "n_dot_l": (0.1, 0.2), "l_dot_h": (0.5, 0.6)},
+                      "a low light: shadowing"),
+                Check({"n_dot_h": (0.3, 0.71, 0.9), "n_dot_v": (0.02, 0.3, 0.003), "n_dot_l": (0.4, 0.3, 0.002),
+                       "l_dot_h": (0.7, 0.9, 0.01)}, "grazing, and both alike", hidden=True),
+            ),
+        ),
+        Exercise(
+            name="smith_ggx",
+            function="lambda_ggx_slope",
+            task="Write Smith's Lambda of GGX, (sqrt(1 + slope²) - 1) / 2, so that it keeps its digits for small slopes.",
+            slide=GEOMETRIC(3),
+            stubs={"python": SMITH_PYTHON, "glsl": SMITH_GLSL_STUB},
+            solutions={"python": SMITH_PYTHON_SOLVED, "glsl": SMITH_GLSL_SOLVED},
+            checks=(
+                Check({"slope": (0.5, 1.0, 3.0)}, "slopes near 1"),
+                Check({"slope": (20.0, 1000.0)}, "grazing: about half the slope"),
+                Check({"slope": (0.05, 0.01, 0.001)}, "smooth: a quarter of the square, to all digits"),
+                Check({"slope": (0.0, 0.0001, 0.2, 7.0)}, "nothing, and in between", hidden=True),
+            ),
+        ),
+    ),
+    terms={
+        "geometry term": "the share of the facets towards h that is both lit and seen",
+        "masking": "what is hidden from the eye by other facets",
+        "shadowing": "what the light does not reach because other facets stand before it",
+        "V-groove": "two facets that lean to each other; Torrance and Sparrow's surface is made of them",
+        "Smith's G": "masking and shadowing of facets at random heights; Lambda is hidden over seen",
+        "weak white furnace": "the test that the facets one sees fill just the area of the plate",
+        "reciprocity": "light takes the same way in both directions: light and eye may swap",
+    },
 )
