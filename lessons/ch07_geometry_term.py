@@ -593,12 +593,12 @@ const float SIZE = 1.55;
 const float SMALL = 0.62;
 
 vec3 centre(int ball) {
-    return ball == 0 ? 0.75 * up() : 1.65 * float(ball - 2) * aside() - 1.85 * up();
+    return ball == 0 ? 0.75 * up() : 1.65 * float(ball - 2) * aside() - 2.45 * up();
 }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 4) return centre(surface) + (surface == 0 ? SIZE : SMALL) * sphere_point(s.x, s.y);
-    return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + 3.1 * (2.0 * s.y - 1.0) * up();
+    return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + (0.9 + 1.95 * (2.0 * s.y - 1.0)) * up();
 }
 
 vec3 shade(Surface s) {
@@ -626,7 +626,7 @@ vec4 probe(int i) {
     if (i == 0) return vec4(centre(0) + 1.01 * SIZE * picked(), 1.0);
     if (i == 1) return vec4(centre(0) + 1.01 * SIZE * picked() + 0.7 * lamp(), 1.0);
     if (i < 5) return vec4(centre(i - 1) - 0.88 * up(), 1.0);
-    return vec4(centre(0) + (i == 5 ? -1.0 : 1.0) * 1.75 * aside() - 1.25 * up(), 1.0);
+    return vec4(centre(0) + (i == 5 ? -1.0 : 1.0) * 1.4 * aside() - 2.1 * up(), 1.0);
 }
 """,
         surfaces=(Surface("gold", cells=(96, 48)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
@@ -711,7 +711,7 @@ vec3 centre(int ball) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 4) return centre(surface) + SIZE * sphere_point(s.x, s.y);
-    if (surface == 8) return -2.0 * eye() + 4.75 * (2.0 * s.x - 1.0) * aside() + (-1.1 + 2.75 * (2.0 * s.y - 1.0)) * up();
+    if (surface == 8) return -2.0 * eye() + 4.75 * (2.0 * s.x - 1.0) * aside() + (0.45 + 1.35 * (2.0 * s.y - 1.0)) * up();
     int bar = surface - 4;
     float tall = min(weak_furnace(theta_v, m, bar), 1.6);
     return centre(bar) + (2.0 * s.x - 1.0) * 0.45 * aside() + (FLOOR - 0.3 + ONE * tall * s.y) * up();
@@ -739,7 +739,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(centre(1) + 1.01 * SIZE * picked(), 1.0);
     if (i == 1) return vec4(centre(1) + 1.01 * SIZE * picked() + 0.6 * lamp(), 1.0);
-    if (i < 6) return vec4(centre(i - 2) - 1.3 * up(), 1.0);
+    if (i < 6) return vec4(centre(i - 2) - 1.5 * up(), 1.0);
     return vec4(-4.6 * aside() + (FLOOR + ONE + 0.22) * up(), 1.0);
 }
 """,
