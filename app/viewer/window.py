@@ -344,7 +344,7 @@ class Window:
                 self.scene.drawn = None
             else:
                 source = Source(found.step.scene, found.file_name, found.glsl_line)
-                self.scene.show(Stage(self.ctx, source, self.triangles, counts_fine=False))
+                self.scene.show(Stage(self.ctx, source, self.triangles))
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()
