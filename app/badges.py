@@ -24,9 +24,14 @@ from app.hemisphere import NORMAL
 from app.lesson import Model
 from app.optics import arguments
 from app.optics.spherical import direction
-from app.terms import evaluate
+from app.readouts import three
+from app.terms import bound, evaluate
 
 NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
+SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=True))  # where there is little room
+ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
+                         "Does it send on at most what comes, for every angle of the eye?",
+                         "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
 VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
@@ -146,6 +151,36 @@ def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
     off = np.where(most > 0, np.ptp(share, 0) / np.where(most > 0, most, 1), 0)
     i = int(np.argmax(np.nan_to_num(off)))
     return Badge(bool(off[i] <= SAME), float(off[i]), angles(l[i], v[i]))
+
+
+def key(model: Model, values: dict) -> tuple:
+    """What a model's badges depend on: the twin and its arguments, without the directions."""
+    args = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0, radiance=0)
+    return model.term.function, tuple((name, str(value)) for name, value in args.items())
+
+
+def told(name: str, badge: Badge) -> str:
+    """A sentence for a person, with the worst value and its angles."""
+    worst, at = math.nan if badge.worst is None else badge.worst, place(badge)
+    if name == "non_negative":
+        return "It is nowhere negative." if badge.ok else f"It is negative: {three(worst)}{at}."
+    if name == "reciprocal":
+        return ("Light and eye can be swapped." if badge.ok else
+                f"Swap light and eye, and {100 * worst:.0f} % of it goes{at}.")
+    if name == "energy":
+        return (f"It sends on at most {three(worst)} of the light that comes{at}." if badge.ok else
+                f"It sends on {three(worst)} times the light that comes{at}.")
+    if name == "finite":
+        return "It is finite, also at grazing angles." if badge.ok else f"It is no number, or infinite{at}."
+    return ("Twice the light gives twice the answer." if badge.ok else
+            f"It is not in proportion to the light: off by {100 * worst:.0f} %{at}.")
+
+
+def place(badge: Badge) -> str:
+    """', at θ_l = 59°, θ_v = 88°, φ = 173°'."""
+    names = {"theta_l": "θ of the light", "theta_v": "θ of the eye", "phi": "φ"}
+    parts = [f"{names[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items()]
+    return f", at {', '.join(parts)}" if parts else ""
 
 
 def as_json(badges: dict[str, Badge]) -> dict[str, dict]:
