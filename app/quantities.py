@@ -230,6 +230,7 @@ SPOKEN = {  # names that a person reads in other words
     "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
     "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
     "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
+    "lean_l": "light's lean", "lean_v": "eye's lean", "facet": "facet's lean", "theta_h": "facet's tilt",
 }
 
 

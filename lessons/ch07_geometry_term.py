@@ -676,7 +676,8 @@ is red, and a click takes you to its worst angle; reciprocity is green, as both 
     honesty="The product is exact per pixel with Beckmann's D and Schlick's F for the deck's gold (1, 0.71, 0.29); the film "
             "turns strong light white, D is scaled to be seen, a little light of the room is added.",
     values=(Value("m", 0.6, low=0.1, high=1.0), Value("theta_v", 78.0, low=0.0, high=88.0),
-            Value("theta_l", 26.0, low=0.0, high=88.0), Value("phi", 180.0, low=0.0, high=180.0, more=True)),
+            Value("theta_l", 26.0, low=0.0, high=88.0), Value("phi", 180.0, low=0.0, high=180.0, more=True),
+            Value("lobe_scale", 2, choices=("f", "f n·l", "log f"), more=True)),
     minutes=6,
 )
 
@@ -796,7 +797,7 @@ vec4 probe(int i) {
 Ask what a plate full of holes may show you: as much as its outline, never more, as there is no way to see past it.
 That is the whole test. The second plot shows how they pass: V-grooves tilt by tilt, Smith only in the sum, as it hides
 each facet alike. Passing is not keeping all light: what is blocked still gets lost. At 85° and m = 1 in even light the
-product keeps 0.906, heights 0.959, V-grooves 0.970. Common wrong answer: Smith is softer, so it must be less exact. It is
+product keeps 0.906, heights 0.959, V-grooves 0.969. Common wrong answer: Smith is softer, so it must be less exact. It is
 what most programs use today. 7 minutes.
 """,
     sources=("Smith 1967", "Walter et al. 2007: the quick fit", "Heitz 2014: heights, and the weak white furnace",
@@ -804,7 +805,7 @@ what most programs use today. 7 minutes.
     honesty="Sums to 1e-6. Smith's terms are exact for heights that have nothing to do with their neighbours; real surfaces "
             "lie between. Beckmann's D, mirrors of gold, light that is blocked is dropped.",
     values=(Value("m", 0.8, low=0.1, high=1.0), Value("theta_v", 78.0, low=0.0, high=88.0),
-            Value("theta_l", 30.0, low=0.0, high=88.0), Value("theta_h", 40.0, low=0.0, high=88.0, more=True),
+            Value("theta_l", 30.0, low=0.0, high=88.0), Value("theta_h", 40.0, low=0.0, high=70.0, more=True),
             Value("phi", 180.0, low=0.0, high=180.0, more=True)),
     minutes=7,
     beyond=True,

@@ -215,6 +215,29 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
     ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
      TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
+    ("geometry_term/why", "2.15 times", 2.15, 0.005, "albedo_without_g", {"theta_v": math.radians(85), "m": 0.5}),
+    ("geometry_term/why", "With G it is 0.98", 0.98, 0.005, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 0.5, "f0": 1.0}),
+    ("geometry_term/masking", "from straight above: 2", 2.0, 1e-12, "groove_intercept_printed",
+     {"facet": 0.7, "lean_v": 0.0}),
+    ("geometry_term/masking", "0.42. The line of sight", 0.42, 0.005, "groove_open",
+     {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(75)}),
+    ("geometry_term/shadowing", "Of each facing side 0.42 is lit and seen", 0.42, 0.005, "groove_open",
+     {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(30)}),
+    ("geometry_term/with_without", "1.53 times what it gets", 1.53, 0.005, "albedo_without_g",
+     {"theta_v": math.radians(85), "m": 0.3}),
+    ("geometry_term/with_without", "3.73 times. G keeps", 3.73, 0.005, "albedo_without_g",
+     {"theta_v": math.radians(85), "m": 1.0}),
+    ("geometry_term/with_without", "G keeps 0.97", 0.97, 0.005, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("geometry_term/smith", "would show 2.15 times", 2.15, 0.005, "weak_furnace",
+     {"theta_v": math.radians(80), "m": 1.0, "geometry": 0}),
+    ("geometry_term/smith", "product keeps 0.906", 0.906, 5e-4, "albedo_smith",
+     {"theta_v": math.radians(85), "m": 1.0, "geometry": 2}),
+    ("geometry_term/smith", "heights 0.959", 0.959, 5e-4, "albedo_smith",
+     {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
+    ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
 ]
 
 
@@ -248,6 +271,11 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
     ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
     ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
+    ("geometry_term/masking", "groove_masking", "groove_open_counted",
+     {"samples": 20000, "lean_l": math.radians(62)}, 2e-4),
+    ("geometry_term/masking", "groove_masking", "groove_intercept_printed", {}, 1e-12),
+    ("geometry_term/shadowing", "groove_open", "groove_open_counted", {"samples": 20000}, 2e-4),
+    ("geometry_term/why", "albedo_without_g", "weak_furnace", {"m": 0.01, "theta_v": 1.2, "geometry": 1}, 1e-6),
 ]
 
 
