@@ -101,7 +101,7 @@ vec3 around(float turn) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 2) return 2.6 * (2.0 * s.x - 1.0) * aside() + 2.3 * (2.0 * s.y - 1.0) * up() - eye();
+    if (surface == 2) return 2.5 * (2.0 * s.x - 1.0) * aside() + 2.5 * (2.0 * s.y - 1.0) * up() - eye();
     float angle = radians(89.5) * s.y * (2.0 - s.y), light = albedo_geometry(angle, m, surface == 0 ? 1 : 0);
     return SIZE * sin(angle) * around(PI * (surface == 0 ? -s.x : s.x)) + RELIEF * light * eye();
 }
@@ -478,12 +478,12 @@ meet in one line.
 const float SIZE = 1.5;
 
 vec3 centre(int ball) {
-    return (ball == 0 ? -1.75 : 1.75) * aside();
+    return ball == 0 ? -1.35 * aside() - 1.0 * up() : 1.4 * aside() + 1.15 * up();
 }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 2) return centre(surface) + SIZE * sphere_point(s.x, s.y);
-    return (3.6 + 0.2 * s.x) * aside() + 1.5 * (2.0 * s.y - 1.0) * up();
+    return (1.6 + 0.2 * s.x) * aside() + (2.1 * s.y - 2.75) * up();
 }
 
 // The next of the three terms less the least, over a pixel: below 1 on a crease
@@ -517,8 +517,9 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(centre(0) + 1.01 * SIZE * picked(), 1.0);
     if (i == 1) return vec4(centre(0) + 1.01 * SIZE * picked() + 0.8 * lamp(), 1.0);
-    if (i < 4) return vec4(centre(i - 2) - 1.85 * up(), 1.0);
-    return vec4(4.0 * aside() + (i == 4 ? -1.5 : 1.5) * up(), 1.0);
+    if (i == 2) return vec4(centre(0) - 1.8 * up(), 1.0);
+    if (i == 3) return vec4(centre(1) + 1.55 * (aside() - 0.9 * up()), 1.0);
+    return vec4(2.05 * aside() + (i == 4 ? -2.75 : -0.65) * up(), 1.0);
 }
 """,
         surfaces=(Surface("map", cells=(96, 48)), Surface("G", cells=(96, 48)), Surface("scale", cells=(1, 16))),
@@ -527,7 +528,7 @@ vec4 probe(int i) {
         labels=(Label("which is the least", 2), Label("G", 3), Label("0", 4), Label("1", 5)),
         handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
         legend=(("quiet", "1: nothing blocks"), ("v", "masking"), ("l", "shadowing")),
-        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.15, 0.0, 0.0), field_of_view=7),
+        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.0, 0.0, -0.05), field_of_view=9),
     ),
     plot=Curves(
         title="At the picked place, against the light's angle",
@@ -636,7 +637,7 @@ vec4 probe(int i) {
         labels=(Label("D", 2, "d"), Label("G", 3, "g"), Label("F", 4, "f"), Label("with G", 5),
                 Label("without G", 6, "printed")),
         handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
-        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.0, 0.0, 0.0), field_of_view=9),
+        camera=Camera(azimuth=-90, elevation=8, distance=40, target=(0.0, 0.0, -0.2), field_of_view=10.2),
     ),
     plot=(
         Curves(
@@ -702,26 +703,29 @@ $G_1$ gives **1**, [rough](?m=1) or [smooth](?m=0.2).
     scene=Scene(
         glsl=BALL_GLSL + GOLD_GLSL + """
 #include "optics/geometry_choice.glsl"
-const float SIZE = 1.0;
-const float FLOOR = -3.3; // of the bars
-const float ONE = 1.15; // their height at 1
+const float SIZE = 1.1;
+const float ONE = 1.2; // height of the bars at 1
 
 vec3 centre(int ball) {
-    return 2.3 * (float(ball) - 1.5) * aside() + 0.3 * up();
+    return (ball % 2 == 0 ? -2.2 : 1.2) * aside() + (ball < 2 ? 1.55 : -1.6) * up();
 }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 4) return centre(surface) + SIZE * sphere_point(s.x, s.y);
-    if (surface == 8) return -2.0 * eye() + 4.75 * (2.0 * s.x - 1.0) * aside() + (0.45 + 1.35 * (2.0 * s.y - 1.0)) * up();
+    if (surface == 8) return -1.2 * eye() + 3.5 * (2.0 * s.x - 1.0) * aside() + 3.1 * (2.0 * s.y - 1.0) * up();
     int bar = surface - 4;
-    float tall = min(weak_furnace(theta_v, m, bar), 1.6);
-    return centre(bar) + (2.0 * s.x - 1.0) * 0.45 * aside() + (FLOOR - 0.3 + ONE * tall * s.y) * up();
+    float tall = min(weak_furnace(theta_v, m, bar), 1.7);
+    return centre(bar) + (1.45 + 0.45 * s.x) * aside() + (ONE * tall * s.y - SIZE) * up();
 }
 
 vec3 shade(Surface s) {
-    if (s.id == 8) return vec3(0.010, 0.013, 0.02) * (0.4 + 1.6 * s.st.y);
+    if (s.id == 8) {
+        vec2 at = 0.976 * vec2(dot(s.position, aside()), dot(s.position, up())); // as far as the balls
+        if (max(abs(at.x - (at.x < -0.5 ? -2.2 : 1.2)), abs(at.y - (at.y > 0.0 ? 1.55 : -1.6))) > 1.2) discard;
+        return vec3(0.014, 0.018, 0.028);
+    }
     if (s.id > 3) {
-        float above = (dot(s.position - centre(s.id - 4), up()) - FLOOR + 0.3) / ONE;
+        float above = (dot(s.position - centre(s.id - 4), up()) + SIZE) / ONE;
         bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 4.0;
         return above <= 1.001 ? palette[COLOUR_V] : stripe ? palette[COLOUR_PRINTED] : 0.4 * palette[COLOUR_PRINTED];
     }
@@ -734,25 +738,25 @@ vec3 mark_point(int mark, float t) {
     vec3 p = centre(1) + 1.01 * SIZE * picked();
     if (mark == 0) return p + 0.6 * t * picked();
     if (mark == 1) return p + 0.6 * t * lamp();
-    return (9.2 * t - 4.6) * aside() + (FLOOR + ONE) * up() + 0.1 * eye();
+    return centre(mark - 2) + (1.3 + 0.75 * t) * aside() + (ONE - SIZE) * up() + 0.1 * eye();
 }
 
 vec4 probe(int i) {
     if (i == 0) return vec4(centre(1) + 1.01 * SIZE * picked(), 1.0);
     if (i == 1) return vec4(centre(1) + 1.01 * SIZE * picked() + 0.6 * lamp(), 1.0);
-    if (i < 6) return vec4(centre(i - 2) - 1.5 * up(), 1.0);
-    return vec4(-4.6 * aside() + (FLOOR + ONE + 0.22) * up(), 1.0);
+    if (i < 6) return vec4(centre(i - 2) - 1.4 * up(), 1.0);
+    return vec4(centre(1) + 2.2 * aside() + (ONE - SIZE) * up(), 1.0);
 }
 """,
         surfaces=(*(Surface(name, cells=(64, 32)) for name in TERMS), *(Surface(f"{name}, sum", cells=(1, 1)) for name in TERMS),
                   Surface("dark room", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
-               Mark("one", colour="exact", line="dashed")),
+               *(Mark(f"one {i}", colour="exact", line="dashed") for i in range(4))),
         labels=(Label("none", 2, "printed"), Label("V-groove", 3), Label("product", 4), Label("heights", 5),
                 Label("1", 6)),
         handles=(Handle("the place", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
         legend=(("v", "what the facets show"), ("printed", "more than there is")),
-        camera=Camera(azimuth=-90, elevation=8, distance=50, target=(0.0, 0.0, -1.1), field_of_view=7.6),
+        camera=Camera(azimuth=-90, elevation=8, distance=50, target=(0.0, 0.0, -0.05), field_of_view=8.4),
     ),
     plot=(
         Curves(
