@@ -209,10 +209,6 @@ def _crease_terms(theta_l, theta_v, phi):
     return twin("crease_gap")(**share) + 2 * twin("vgroove_at")(**share) + moved("vgroove_at", share)
 
 
-def _ones(**args):
-    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
-
-
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "halfway_cosine": _halfway_terms,
