@@ -196,6 +196,19 @@ def _facet_terms(function, m, f0, **angles):
     return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
 
 
+def _intercept_terms(facet, lean_v):
+    """A quotient of two cosines, each of a rounded angle; near 90 degrees that costs much, and cancels in the value."""
+    apart = facet - lean_v
+    cost = np.abs(lean_v * np.tan(lean_v)) + np.abs(apart * np.tan(apart))
+    return np.abs(twin("groove_intercept_printed")(facet, lean_v)) * cost
+
+
+def _crease_terms(theta_l, theta_v, phi):
+    """The next of the three terms is the least plus the gap; both move with the cosines."""
+    share = {"theta_l": theta_l, "theta_v": theta_v, "phi": phi}
+    return twin("crease_gap")(**share) + 2 * twin("vgroove_at")(**share) + moved("vgroove_at", share)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "halfway_cosine": _halfway_terms,
@@ -241,9 +254,11 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
-    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
-    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
     "facet_area": _facet_area_terms,
+    "groove_intercept_printed": _intercept_terms,
+    "crease_gap": _crease_terms,
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith", "albedo_geometry"), _ones),
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -266,6 +266,29 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("microfacets/beckmann_only", "[2000](?m=0.03161)", 2000, 1, "exponent_from_m", {"m": 0.03161}),
     ("microfacets/beckmann_only", "(310, 100,", 310, 1, "exponent_from_m", {"m": 0.08}),
     ("microfacets/beckmann_only", "30, 8, 1)", 8, 0.5, "exponent_from_m", {"m": 0.45}),
+    ("geometry_term/why", "2.15 times", 2.15, 0.005, "albedo_without_g", {"theta_v": math.radians(85), "m": 0.5}),
+    ("geometry_term/why", "With G it is 0.98", 0.98, 0.005, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 0.5, "f0": 1.0}),
+    ("geometry_term/masking", "from straight above: 2", 2.0, 1e-12, "groove_intercept_printed",
+     {"facet": 0.7, "lean_v": 0.0}),
+    ("geometry_term/masking", "0.42. The line of sight", 0.42, 0.005, "groove_open",
+     {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(75)}),
+    ("geometry_term/shadowing", "Of each facing side 0.42 is lit and seen", 0.42, 0.005, "groove_open",
+     {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(30)}),
+    ("geometry_term/with_without", "1.53 times what it gets", 1.53, 0.005, "albedo_without_g",
+     {"theta_v": math.radians(85), "m": 0.3}),
+    ("geometry_term/with_without", "3.73 times. G keeps", 3.73, 0.005, "albedo_without_g",
+     {"theta_v": math.radians(85), "m": 1.0}),
+    ("geometry_term/with_without", "G keeps 0.97", 0.97, 0.005, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("geometry_term/smith", "would show 2.15 times", 2.15, 0.005, "weak_furnace",
+     {"theta_v": math.radians(80), "m": 1.0, "geometry": 0}),
+    ("geometry_term/smith", "product keeps 0.906", 0.906, 5e-4, "albedo_smith",
+     {"theta_v": math.radians(85), "m": 1.0, "geometry": 2}),
+    ("geometry_term/smith", "heights 0.959", 0.959, 5e-4, "albedo_smith",
+     {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
+    ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
+     {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
 ]
 
 
@@ -302,6 +325,11 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("brdfs/blinn", "blinn_exponent", "blinn_exponent_short", {"exponent": 1000.0}, 2e-4),
     ("microfacets/facets", "d_halfway", "d_near", {}, 0.03),
     ("microfacets/blocking", "groove_open", "groove_open_counted", {"samples": 4096}, 1e-3),
+    ("geometry_term/masking", "groove_masking", "groove_open_counted",
+     {"samples": 20000, "lean_l": math.radians(62)}, 2e-4),
+    ("geometry_term/masking", "groove_masking", "groove_intercept_printed", {}, 1e-12),
+    ("geometry_term/shadowing", "groove_open", "groove_open_counted", {"samples": 20000}, 2e-4),
+    ("geometry_term/why", "albedo_without_g", "weak_furnace", {"m": 0.01, "theta_v": 1.2, "geometry": 1}, 1e-6),
 ]
 
 

@@ -204,6 +204,7 @@ def of_the_facets(a: dict, rng) -> dict:
 
 
 JOINT = {  # arguments that belong together
+    "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
                      "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
                      "slope_squared"), facing),
