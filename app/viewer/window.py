@@ -221,6 +221,8 @@ class Window:
             self.set_theme(THEME_ORDER[(THEME_ORDER.index(self.theme.name) + 1) % len(THEME_ORDER)])
         elif key == "f":
             self.session.freeze(not self.session.frozen)
+        elif key == "p":
+            self.session.show_plot(self.session.visit.plot + 1)
         elif key == "?":
             self.show_help = not self.show_help
 
