@@ -15,11 +15,11 @@ vec3 on_screen(float t) {
 uniform int measure_steps; // 0 where nothing depends on how far along a point is
 uniform int length_steps;  // 0 where nothing depends on the whole length
 
-float screen_length(float t, int steps) {
+float screen_length(float t, int pieces_to_sum) {
     float sum = 0.0;
     vec3 before = on_screen(0.0);
-    for (int i = 1; i <= steps; i++) {
-        vec3 now = on_screen(t * float(i) / float(steps));
+    for (int i = 1; i <= pieces_to_sum; i++) {
+        vec3 now = on_screen(t * float(i) / float(pieces_to_sum));
         sum += length(now.xy - before.xy);
         before = now;
     }
