@@ -174,6 +174,7 @@ class Curve(Worded):
     term: Term
     role: Literal["exact", "estimate", "printed"] = "exact"
     precision: Literal["float64", "float32"] = "float64"
+    colour: str = ""  # its own, "#RRGGBB", where it is the colour of a thing; else the role's
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,10 @@ from app.lesson import (
 PI = 3.141592653589793
 FRESNEL = "Cook – Torrance – Fresnel Term ({})".format
 CHANNELS = ("red", "green", "blue")
+CHANNEL_COLOURS = ("#D9483B", "#2C9C55", "#3B7DD8")
+METAL_NAMES = ("gold", "silver", "copper", "iron", "aluminium")
+MATERIAL_NAMES = ("water", "glass", "plastic", "ruby", "diamond", *METAL_NAMES)
+GOLD, IRON, DIAMOND, GLASS = "#C99A1E", "#8C8F94", "#4FA3D1", "#3E9E6E"
 
 FLAT_MIRROR = Step(
     name="flat_mirror",
@@ -444,8 +448,8 @@ INSULATOR_GLSL = """
 
 vec3 body(int i) {
     if (i == 0) return vec3(0.01, 0.05, 0.09);
-    if (i == 1) return vec3(0.55, 0.05, 0.04);
-    if (i == 2) return vec3(0.03, 0.30, 0.10);
+    if (i == 1) return vec3(0.03, 0.30, 0.10);
+    if (i == 2) return vec3(0.55, 0.05, 0.04);
     if (i == 3) return vec3(0.30, 0.005, 0.03);
     return vec3(0.10, 0.12, 0.15);
 }
@@ -468,8 +472,8 @@ you see in the middle of the red ball is light that went in and came out again.
 **Metals** have a complex index $\eta + ik$. Light that enters is swallowed within a thousandth of a hair, so nothing comes
 back from within: a metal has *no diffuse part*, and its mirror is its colour.
 
-Both agree at the rim: there every material is a white mirror. Choose [water](?material=0), [diamond](?material=4),
-[gold](?material=5), [iron](?material=8) and compare head-on with [the rim](?theta=85).
+Both agree at the rim: there every material is a white mirror. Choose [water](?material=water), [diamond](?material=diamond),
+[gold](?material=gold), [iron](?material=iron) and compare head-on with [the rim](?theta=85).
 """,
     scene=Scene(
         glsl=METAL_GLSL + INSULATOR_GLSL + """
@@ -511,8 +515,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("insulators", cells=(164, 2)), Surface("metals", cells=(164, 2))),
         marks=(Mark("angle", colour="v", segments=64, width=1.3), Mark("chosen", colour="exact", line="dashed", segments=64)),
-        labels=tuple(Label(name, i + 1) for i, name in enumerate(
-            ("water", "plastic −", "plastic +", "ruby", "diamond", "gold", "silver", "copper", "iron", "aluminium"))),
+        labels=tuple(Label(name, i + 1) for i, name in enumerate(MATERIAL_NAMES)),
         handles=(Handle("the angle", 0, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=3, distance=30, target=(0.0, 0.0, 0.0), field_of_view=22),
     ),
@@ -520,12 +523,12 @@ vec4 probe(int i) {
         title="Exact, against the angle",
         sweep="theta",
         curves=(
-            Curve("gold, red", Term("material_share", {"material": 5, "channel": 0}), role="printed"),
-            Curve("gold, blue", Term("material_share", {"material": 5, "channel": 2}), role="printed"),
-            Curve("iron, green", Term("material_share", {"material": 8, "channel": 1})),
-            Curve("diamond", Term("material_share", {"material": 4, "channel": 1}), role="estimate"),
-            Curve("glass", Term("material_share", {"material": 1, "channel": 1}), role="estimate"),
             Curve("the chosen one", Term("material_share")),
+            Curve("gold, red", Term("material_share", {"material": 5, "channel": 0}), role="printed", colour=GOLD),
+            Curve("gold, blue", Term("material_share", {"material": 5, "channel": 2}), role="printed", colour=GOLD),
+            Curve("iron, green", Term("material_share", {"material": 8, "channel": 1}), colour=IRON),
+            Curve("diamond", Term("material_share", {"material": 4, "channel": 1}), role="estimate", colour=DIAMOND),
+            Curve("glass", Term("material_share", {"material": 1, "channel": 1}), role="estimate", colour=GLASS),
         ),
         y_label="share reflected, one channel",
     ),
@@ -553,7 +556,7 @@ physics. That is why one has a diffuse term and the other must not. 6 minutes.
              "CIE 015:2004: D65 and the 1931 observer"),
     honesty="The Fresnel term is exact from measured indices, over twelve wavelengths for metals and one for insulators. "
             "The room that is mirrored and the colour inside the insulators are made up.",
-    values=(Value("material", 5), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
+    values=(Value("material", 5, choices=MATERIAL_NAMES), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
     minutes=6,
 )
 
@@ -567,10 +570,10 @@ The deck prints two numbers a metal and channel: $F(0°)$ in **linear** light, a
 is computed with the first; the second is only for looking.
 
 The balls are made from measured $n$ and $k$. Under them, three plates: the linear column, the sRGB column, and the
-colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=5&channel=0): more than all the red there
+colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=gold&channel=red): more than all the red there
 is. That is no error: gold's yellow is purer than sRGB can show. The stripes mark it.
 
-[Iron](?material=8&channel=2) is printed bluish; these data make it slightly warm. [Aluminium's](?material=9&channel=2)
+[Iron](?material=iron&channel=blue) is printed bluish; these data make it slightly warm. [Aluminium's](?material=aluminium&channel=blue)
 two columns differ by a rounding.
 """,
     scene=Scene(
@@ -596,20 +599,24 @@ vec3 decoded(vec3 c) {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 
+vec3 plate(int surface, int i) {
+    if (surface == 1) return material_f0(i + INSULATORS);
+    if (surface == 2) return decoded(material_srgb(i + INSULATORS));
+    vec3 f = f_material(max(0.0, cos(theta)), i + INSULATORS);
+    bool out_of_gamut = max(f.r, max(f.g, f.b)) > 1.0;
+    if (out_of_gamut && mod(gl_FragCoord.x + gl_FragCoord.y, 14.0) < 2.0) return vec3(0.0);
+    return f;
+}
+
 vec3 shade(Surface s) {
     if (s.id == 0) {
         int ball = ball_number(s.st, 5);
         return lit_metal(ball + INSULATORS, ball_normal(s.position - ball_centre(ball), s.v), s.v);
     }
     int i = clamp(int(floor((s.position.x + 5.625) / 2.25)), 0, 4);
-    vec2 at = vec2(s.position.x - plate_centre(i).x, s.st.y);
-    if (abs(at.x) > 0.985 || at.y < 0.06 || at.y > 0.94) return vec3(0.03); // a dark card, so that silver shows on white
-    if (s.id == 1) return material_f0(i + INSULATORS);
-    if (s.id == 2) return decoded(material_srgb(i + INSULATORS));
-    vec3 f = f_material(max(0.0, cos(theta)), i + INSULATORS);
-    bool out_of_gamut = max(f.r, max(f.g, f.b)) > 1.0;
-    if (out_of_gamut && mod(gl_FragCoord.x + gl_FragCoord.y, 14.0) < 2.0) return vec3(0.0);
-    return f;
+    vec2 at = vec2(s.position.x - plate_centre(i).x, s.st.y - 0.5), wide = fwidth(vec2(s.position.x, s.st.y));
+    vec2 inside = clamp((vec2(1.0, 0.44) - abs(at)) / wide + 0.5, 0.0, 1.0);
+    return mix(vec3(0.03), plate(s.id, i), inside.x * inside.y); // on a dark card, so that silver shows on white
 }
 
 // The place of the chosen ball whose normal is theta from the eye's direction
@@ -630,24 +637,23 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i < 5) return vec4(plate_centre(i) + vec3(0.0, 0.0, 2.66), 1.0);
     if (i == 8) return vec4(place(0.8), 1.0);
-    return vec4(-6.4, 0.0, i == 5 ? -0.85 : i == 6 ? -2.55 : -4.25, 1.0);
+    return vec4(-6.65, 0.0, i == 5 ? -0.85 : i == 6 ? -2.55 : -4.25, 1.0);
 }
 """,
         surfaces=(Surface("balls", cells=(164, 2)), Surface("linear, printed", cells=(1, 1)),
                   Surface("sRGB, printed", cells=(1, 1)), Surface("from n, k", cells=(1, 1))),
         marks=(Mark("chosen", colour="exact", line="dashed", segments=64),
                Mark("angle", colour="v", segments=64, width=1.3)),
-        labels=(*(Label(name, i) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium"))),
+        labels=(*(Label(name, i) for i, name in enumerate(METAL_NAMES)),
                 Label("linear", 5, "printed"), Label("sRGB", 6, "printed"), Label("n, k", 7)),
         handles=(Handle("the angle", 8, ("theta",)),),
-        camera=Camera(azimuth=-90, elevation=2, distance=34, target=(-0.3, 0.0, -1.2), field_of_view=21),
+        camera=Camera(azimuth=-90, elevation=2, distance=34, target=(-0.7, 0.0, -1.2), field_of_view=21),
     ),
     plot=Curves(
         title="The chosen metal, red, green, blue",
         sweep="theta",
-        curves=(Curve("red", Term("material_share", {"channel": 0}), role="printed"),
-                Curve("green", Term("material_share", {"channel": 1})),
-                Curve("blue", Term("material_share", {"channel": 2}), role="estimate")),
+        curves=tuple(Curve(name, Term("material_share", {"channel": i}), colour=CHANNEL_COLOURS[i])
+                     for i, name in enumerate(CHANNELS)),
         y_label="share reflected",
     ),
     readouts=(
@@ -675,7 +681,7 @@ blue cannot mix so pure a yellow. Let them find the entries whose sRGB is not th
              "1974; Rakic 1995", "IEC 61966-2-1: sRGB", "CIE 015:2004: D65 and the 1931 observer"),
     honesty="From n, k: thin films in vacuum, twelve wavelengths, daylight. Other films of the same metal differ by several "
             "hundredths. On the screen what lies beyond 1 is cut off; the stripes say where.",
-    values=(Value("material", 5, low=5, high=9), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
+    values=(Value("material", 5, low=5, choices=MATERIAL_NAMES), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
     minutes=5,
 )
 
@@ -736,7 +742,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("large ball", cells=(64, 4)), Surface("balls", cells=(164, 2))),
         marks=(Mark("divide", colour="quiet", segments=48),),
-        labels=(*(Label(name, i) for i, name in enumerate(("water", "plastic −", "plastic +", "ruby", "diamond"))),
+        labels=(*(Label(name, i) for i, name in enumerate(MATERIAL_NAMES[:5])),
                 Label("(1 − F) body", 5), Label("body + F", 6, "printed")),
         handles=(Handle("the index", 7, ("eta",)),),
         camera=Camera(azimuth=-90, elevation=3, distance=32, target=(0.0, 0.0, 0.3), field_of_view=20),
@@ -787,7 +793,7 @@ Schlick keeps the start and the end and joins them by a fifth power:
 
 $$\colour{printed}{F} = c_0 + (1-c_0)(1 - l\cdot h)^5$$
 
-Good for water, plastics, silver, gold. But [iron](?material=8) and [aluminium](?material=9) *dip* before they rise, and the
+Good for water, plastics, silver, gold. But [iron](?material=iron) and [aluminium](?material=aluminium) *dip* before they rise, and the
 fit does not. One more number mends it: $F$ at 82°, the $\colour{estimate}{\text{F82}}$ form. The rows show the error of
 both; the scale ends at 0.18.
 
@@ -865,7 +871,7 @@ vec4 probe(int i) {
         marks=(*(Mark(f"chosen {i}", colour="exact", line="dashed", segments=48) for i in range(3)),),
         labels=(Label("exact", 0), Label("Schlick's error", 1, "printed"), Label("F82's error", 2, "estimate"),
                 Label("F(l·h)", 3), Label("F(n·v)", 4, "printed"),
-                *(Label(name, i + 6) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium")))),
+                *(Label(name, i + 6) for i, name in enumerate(METAL_NAMES))),
         handles=(Handle("the lamp", 5, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=2, distance=40, target=(0.0, 0.0, -1.3), field_of_view=22),
     ),
@@ -902,7 +908,7 @@ in more than one game. Where F82 costs: one number more a material, and a sixth 
              "Kutz et al. 2021: the F82 tint", "Johnson & Christy 1972, 1974; Rakic 1995"),
     honesty="Errors are against the exact term of measured indices, the largest of the three channels. The rough balls "
             "use a plain glow by n·h, no BRDF: those come with chapters 4 and 5.",
-    values=(Value("material", 8, low=5, high=9), Value("theta", 18.0, low=0.0, high=90.0),
+    values=(Value("material", 8, low=5, choices=MATERIAL_NAMES), Value("theta", 18.0, low=0.0, high=90.0),
             Value("channel", 1, choices=CHANNELS)),
     minutes=6,
 )

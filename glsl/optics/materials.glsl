@@ -1,3 +1,4 @@
+#include "optics/colour.glsl"
 #include "optics/fresnel.glsl"
 
 // The deck's two tables, Fresnel Term (7) and (6), as printed: water, plastic or glass (low), plastic (high),
@@ -123,8 +124,7 @@ float material_srgb_printed(int material, int channel) {
 
 float material_srgb_of_printed(int material, int channel) {
     // IEC 61966-2-1
-    float x = PRINTED_F0[material][channel];
-    return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
+    return linear_to_srgb(PRINTED_F0[material][channel]);
 }
 
 float schlick_worst(int material) {
