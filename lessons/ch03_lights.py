@@ -535,8 +535,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    if (mark == 0) return polar(0.0, t);
-    if (mark == 1) return polar(0.5 * PI, t);
+    if (mark < 2) return polar(mark == 0 ? 0.0 : 0.5 * PI, t);
     if (mark == 2) return luminaire();
     if (mark == 3) return mix(luminaire(), meter(), t);
     if (mark == 4) return meter() + 0.65 * t * (meter_s > 0.0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0));
@@ -577,7 +576,7 @@ Try the [downlight](?luminaire=down), the [street light](?luminaire=street&heigh
             Surface("floor", cells=(1, 1)),
             Surface("wall", cells=(1, 1)),
             Surface("scale", cells=(1, 1)),
-            Surface("photometric solid", cells=(96, 64), opacity=0.5),
+            Surface("photometric solid", cells=(72, 48), opacity=0.5),
         ),
         marks=(
             Mark("plane C0", colour="l", segments=144, width=1.2),
@@ -736,25 +735,30 @@ vec3 ray(float angle, float turn) {
     return cos(angle) * AXIS + sin(angle) * (cos(turn) * RIGHT + sin(turn) * OVER);
 }
 
+// Floor and wall stand twice in the scene, once for the formulas and once for the measured table; one pair is folded to
+// a point: a software renderer computes both sides of an if.
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
-    if (surface == 1) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
+    if (surface < 2 ? edge == 3 : surface > 4 && edge < 3) return vec3(0.0);
+    if (surface == 0 || surface == 5) return vec3(4.0 * s - 2.0, 0.0);
+    if (surface == 1 || surface == 6) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
     if (surface == 2) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
     return LAMP + 1.3 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
+}
+
+vec4 surface_value(int surface, vec2 s) { // a spot's share for a candela of the table's
+    return vec4(surface > 4 && edge == 3 ? spot_flux(1.0, hotspot, falloff) / ies_flux(table) : 0.0);
 }
 
 vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 3) return palette[COLOUR_L];
     if (s.id == 4) return palette[COLOUR_QUIET];
-    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
+    vec3 n = s.id == 0 || s.id == 5 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
     vec3 d = -direction_to_light(s.position, LAMP);
     float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
-    float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
-        : spot_as_printed(angle, hotspot, falloff, threshold);
-    for (int i = edge == 3 ? 0 : 1; i < 1; i++) { // a loop: a software renderer computes both sides of an if
-        share = ies_as_spot(table, angle, hotspot, falloff);
-    }
+    float share = s.id > 4 ? ies_candela(table, angle, 0.0) * s.value.x
+        : edge == 0 ? spot_linear(angle, hotspot, falloff)
+        : edge == 1 ? spot_smooth(angle, hotspot, falloff) : spot_as_printed(angle, hotspot, falloff, threshold);
     if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
@@ -778,7 +782,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1)),
-                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22)),
+                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22),
+                  Surface("floor, measured", cells=(2, 2)), Surface("wall, measured", cells=(2, 2))),
         marks=(
             Mark("axis", colour="exact", tip="arrow", label="d"),
             Mark("hotspot rim", colour="l", segments=64, width=1.4, label="H", label_at=0.0),

@@ -119,10 +119,10 @@ def linear_frame(seen: np.ndarray) -> Axis:
         return Axis(0.0, 1.0)
     low, high = float(seen.min()), float(seen.max())
     if low < 0 < high:
-        return Axis(-nice(-1.02 * low), nice(1.02 * high))
+        return Axis(-nice(-low), nice(high))
     if low >= 0:
-        return Axis(0.0, nice(1.02 * high) if high > 0 else 1.0)
-    return Axis(-nice(-1.02 * low), 0.0)
+        return Axis(0.0, nice(high) if high > 0 else 1.0)
+    return Axis(-nice(-low), 0.0)
 
 
 def span(axis: Axis) -> float:
