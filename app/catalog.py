@@ -13,11 +13,12 @@ from app import shader
 from app.lesson import Chapter, Curves, Figure, Ledger, Number, Scene, Step, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
-from app.quantities import TABLE, Quantity, entered, quantity
+from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
 
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
 SWEPT = frozenset({"s", "t"})
+MODELLED = frozenset({"n", "l", "v", "channel", "radiance"})  # what a model's lobe and badges sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,6 +170,7 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     data = DATA - SWEPT | {table.uniform for table in step.scene.tables}
     found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
     found.append(("prediction", step.ask.truth, data))
+    found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
     if isinstance(step.plot, Curves):
         found += [(f"curve {c.label!r}", c.term, data | {step.plot.sweep}) for c in step.plot.curves]
     if isinstance(step.plot, Figure):
@@ -199,17 +201,20 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
         names += [name for name in given if isinstance(name, str) and name in TABLE and name not in swept]
     if isinstance(step.plot, Curves):
         names.append(step.plot.sweep)
+    names = [angle for name in names for angle in FROM_ANGLES.get(name, (name,))]
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}
 
 
 def unknown_uniforms(scene: Scene) -> list[str]:
     """Uniforms of a scene that are no quantity, no mesh and no table: nothing would set them."""
-    known = {*TABLE, *DATA, *(table.uniform for table in scene.tables)}
+    known = {*TABLE, *DATA, *(table.uniform for table in scene.tables)} - set(FROM_ANGLES)
     return [name for name in shader.uniforms(scene.glsl) if name not in known]
 
 
 def unknown_uniform(name: str) -> str:
+    if name in FROM_ANGLES:
+        return f"there is no uniform {name}: a scene has its angles, and light_direction(theta_l, phi) or the like."
     return f"there is no quantity {name}, which the scene has as a uniform; nothing would set it.{near(name, TABLE)}"
 
 

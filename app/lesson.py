@@ -52,6 +52,23 @@ class Term:
 
 
 @dataclass(frozen=True)
+class Model(Worded):
+    """A reflectance of the step: a twin `brdf_*` (1/sr, without the cosine) or `shading_*` (L_o / L_i) of n, l, v.
+
+    It has badges, and plots show its lobe. Its other arguments are the step's values; a twin with an argument
+    `radiance` gives L_o for that L_i; one with an argument `channel` has a lobe for red, green and blue.
+    """
+
+    label: str
+    term: Term
+    colour: Colour = "estimate"
+
+    @property
+    def is_shading(self) -> bool:
+        return self.term.function.startswith("shading_")
+
+
+@dataclass(frozen=True)
 class Surface:
     """A grid of cells that `vec3 surface_point(int surface, vec2 s)` places, or the step's mesh placed by
     `vec3 mesh_point(int surface, vec3 p)`; `vec3 shade(Surface s)` colours it. Its number is its place in the
@@ -267,6 +284,7 @@ class Step:
     sources: tuple[str, ...]
     honesty: str  # what is exact, fitted, approximated, left out
     values: tuple[Value, ...] = ()
+    models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
 

@@ -135,7 +135,7 @@ TABLE: dict[str, Quantity] = {
     "light_position": Quantity("p_L", "m", -2.0, 2.0, (0.4, -0.3, 1.0), "where the light is", kind="vec3"),
     "source_radius": Quantity("r_0", "m", 1e-3, 1.0, 0.05, "radius of the source", (1e-6, 100.0), "log"),
     "reach": Quantity("R", "m", 0.5, 20.0, 3.0, "distance from which on a light gives nothing", (1e-3, 1e4), "log"),
-    "exponent": Quantity("n", "", 0.0, 100.0, 4.0, "exponent of a cosine", extreme=(0.0, 1e5)),
+    "exponent": Quantity("n", "", 0.0, 100.0, 4.0, "exponent of a cosine", extreme=(0.0, 1e7)),
     "distribution": Quantity("f_e", "", 0, 2, 1, "which emission distribution", kind="int"),
     "off_axis": Quantity(r"\alpha", "rad", 0.0, PI / 2, 0.4, "angle from the beam's axis", extreme=(0.0, PI)),
     "cosine": Quantity(r"-l\cdot d", "", -1.0, 1.0, 0.9, "cosine of the angle from the beam's axis"),
@@ -174,7 +174,61 @@ TABLE: dict[str, Quantity] = {
     "to_light": Quantity("r", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "from the point to the light's middle", kind="vec3"),
     "given": Quantity("k", "", 0, 2, 0, "which number is given: flux, exitance, radiance", kind="int"),
     "amount": Quantity("a", "", 0.1, 1000.0, 100.0, "the given one, in W, W/m² or W/(m² sr)", (1e-6, 1e9), "log"),
+    # matter: n is +z, v = direction(theta_v, 0), l = direction(theta_l, phi); phi = 180 degrees is the mirror side
+    "n": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit normal of the surface", kind="vec3"),
+    "l": Quantity("l", "", -1.0, 1.0, (-0.6, 0.0, 0.8), "unit vector to the light", kind="vec3"),
+    "v": Quantity("v", "", -1.0, 1.0, (0.6, 0.0, 0.8), "unit vector to the eye", kind="vec3"),
+    "h": Quantity("h", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit vector halfway between l and v", kind="vec3"),
+    "theta_l": Quantity(r"\theta_l", "rad", 0.0, PI / 2, 0.7, "angle of the light from the normal"),
+    "theta_v": Quantity(r"\theta_v", "rad", 0.0, PI / 2, 0.7, "angle of the eye from the normal"),
+    "theta_h": Quantity(r"\theta_h", "rad", 0.0, PI / 2, 0.1, "angle of the halfway vector from the normal"),
+    "theta_d": Quantity(r"\theta_d", "rad", 0.0, PI / 2, 0.5, "angle between the light and the halfway vector"),
+    "n_dot_l": Quantity(r"n \cdot l", "", 0.0, 1.0, 0.7, "cosine of the light's angle from the normal"),
+    "n_dot_v": Quantity(r"n \cdot v", "", 0.0, 1.0, 0.7, "cosine of the eye's angle from the normal"),
+    "n_dot_h": Quantity(r"n \cdot h", "", 0.0, 1.0, 0.95, "cosine of the halfway vector's angle from the normal"),
+    "r_dot_v": Quantity(r"r \cdot v", "", 0.0, 1.0, 0.95, "cosine between the mirror direction and the eye"),
+    "m": Quantity("m", "", 0.01, 1.0, 0.3, "roughness: RMS slope of the facets", (1e-5, 10.0), "log"),
+    "alpha": Quantity(r"\alpha", "", 0.01, 1.0, 0.3, "width of the GGX distribution", (1e-5, 10.0), "log"),
+    "k_d": Quantity("k_d", "", 0.0, 1.0, 0.5, "share of the light that is reflected diffusely"),
+    "k_s": Quantity("k_s", "", 0.0, 1.0, 0.5, "share of the light that is reflected specularly"),
+    "sigma": Quantity(r"\sigma", "rad", 0.0, 1.0, 0.3, "spread of the facets' tilts, Oren-Nayar", (0.0, PI / 2)),
+    "xi_1": Quantity(r"\xi_1", "", 0.0, 1.0, 0.5, "first random number of a sample", (1e-9, 0.99999)),
+    "xi_2": Quantity(r"\xi_2", "", 0.0, 1.0, 0.5, "second random number of a sample"),
+    "model": Quantity("k", "", 0, 9, 0, "which of the models", kind="int"),
+    "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
+    # Phong and Blinn
+    "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    # the reflectance equation
+    "tile_rows": Quantity("N", "", 1, 24, 6, "rows of tiles from the pole to the horizon", (1, 32), "log", "int"),
+    "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),
+    "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
+    "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
+    "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
+    # distributions of facets
+    "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
+    "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
+    "cosines": Quantity("k", "", 0, 1, 1, "1: area as seen from above; 0: the facets' own area", kind="int"),
+    # grooves and rough diffuse surfaces
+    "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),
+    "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
+    "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
+    "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
+    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness of a diffuse surface, EON"),
+    "disk_x": Quantity("x", "", -1.0, 1.0, 0.0, "place on the disk of a ball, from its middle to its rim at 1"),
+    "phase": Quantity(r"\gamma", "rad", 0.0, 1.4, 0.0, "angle between the light and the eye", extreme=(0.0, 1.5)),
+    "facets": Quantity("N", "", 100, 10000, 10000, "number of facets", (1, 20000), "log", "int"),
+    "place": Quantity("i", "", 0, 9999, 0, "number of a place on the plate", kind="int"),
+    "zoom": Quantity("Z", "", 1.0, 200.0, 1.0, "how much the plate is enlarged", scale="log"),
+    "groove_width": Quantity("w", "µm", 5.0, 100.0, 20.0, "width of a groove", (0.1, 1000.0), "log"),
+    # the geometry term
+    "slope": Quantity(r"m\tan\theta", "", 0.05, 20.0, 1.0, "roughness times an angle's tangent", (0.0, 1e30), "log"),
+    "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
+    "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
+    "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
 }
+
+# Vectors that are no values of a step: they follow from its angles
+FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
 
 
 def quantity(name: str) -> Quantity:

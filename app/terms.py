@@ -1,9 +1,13 @@
-"""A lesson's `Term` at given values: the Python twin in float64, or the GLSL twin in float32."""
+"""A lesson's `Term` at given values: the Python twin in float64, or the GLSL twin in float32.
+
+The unit vectors n, l, v and h are no values: they follow from the angles theta_l, theta_v and phi, n being +z.
+"""
 
 import numpy as np
 
 from app.lesson import Term
 from app.optics import arguments, twin
+from app.quantities import FROM_ANGLES
 
 
 def bound(term: Term, values: dict, **swept) -> dict:
@@ -14,11 +18,23 @@ def bound(term: Term, values: dict, **swept) -> dict:
         key = given if isinstance(given, str) else None
         if key is not None and key in swept:
             found[name] = swept[key]
+        elif key in FROM_ANGLES and key not in values:
+            found[name] = vector(key, {**values, **swept})
         elif key is not None:
             found[name] = values[key]
         else:
             found[name] = given
     return found
+
+
+def vector(name: str, values: dict) -> np.ndarray:
+    """n, l, v or h from the angles."""
+    if name == "n":
+        return np.array([0.0, 0.0, 1.0])
+    if name != "h":
+        return twin("light_direction" if name == "l" else "view_direction")(*(values[a] for a in FROM_ANGLES[name]))
+    both = vector("l", values) + vector("v", values)
+    return both / np.linalg.norm(both, axis=-1, keepdims=True)
 
 
 def evaluate(term: Term, values: dict, precision: str = "float64", ctx=None, **swept) -> np.ndarray:

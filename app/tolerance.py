@@ -6,14 +6,19 @@ of a sum are than the sum itself, or what it costs to round a step on the way; o
 """
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
 from app.optics import twin
+from app.optics.blinn_phong import _flux as _blinn_flux
+from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
+from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle import _dot, _fan
+from app.optics.spherical import direction
 from app.quantities import TABLE
 
 U = {"float64": 2.0**-53, "float32": 2.0**-24}
@@ -170,9 +175,46 @@ def _below_terms(given, amount, light_shape, light_height, panel_width, panel_de
     zero = np.zeros_like(light_height)
     return _light_terms(light_shape, radiance, np.zeros(3), light_x=zero, light_y=zero, light_height=light_height,
                         panel_width=panel_width, panel_depth=panel_depth, panel_tilt=panel_tilt)
+def _halfway_terms(n, l, v):
+    """The lengths of l and v are rounded, then what is common to l and -v goes: n.l |v| + n.v |l| over |s|."""
+    n, l, v = (np.asarray(x, float) for x in (n, l, v))
+    s = l * norm(v, True)[..., None] + v * norm(l, True)[..., None]
+    parts = np.abs(np.sum(n * l, -1)) * norm(v, True) + np.abs(np.sum(n * v, -1)) * norm(l, True)
+    return parts / np.maximum(norm(s, True), 1e-300)
+
+
+def _blinn_albedo_terms(theta_v, exponent):
+    return twin("normalisation_blinn_phong")(exponent) * _blinn_flux(theta_v, exponent, 1)
+
+
+def _sky_terms(function):
+    """Directions are rounded on the way: the sun's glow, a power of 128 of half an angle's cosine, moves by 64 u."""
+    return lambda exponent, **args: twin(function)(exponent=exponent, **args) * (64 + exponent)
+
+
+def _ones(**args):
+    return np.ones(np.broadcast_shapes(*map(np.shape, args.values())))
+
+
+def _facet_area_terms(ndf, m, rows, cosines):
+    """Every ring's angle is rounded, and a narrow D with it."""
+    ndf, a, m, _, weight = _rings(ndf, m, rows, cosines)
+    change = d_at(ndf, a * (1 + STEP), m) - d_at(ndf, a * (1 - STEP), m)
+    return np.sum(np.abs(change) / (2 * STEP) * weight, -1)
+
+
+def _facet_terms(function, m, f0, **angles):
+    """The directions of l and v are rounded before h is; 1 - l.h is a difference, all there is where f0 is near 0."""
+    l, v = direction(angles["theta_l"], angles["phi"]), direction(angles["theta_v"], 0.0)
+    white = twin(function)(**angles, m=m, f0=1.0)
+    rounded = moved(function, {**angles, "m": np.asarray(m), "f0": np.asarray(f0)})
+    return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
+    "albedo_blinn_phong": _blinn_albedo_terms,
+    "halfway_cosine": _halfway_terms,
+    "lobe_flux_blinn": lambda theta_v, exponent: _blinn_flux(theta_v, exponent, 1),
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_light": _light_terms,
@@ -206,9 +248,17 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
-    "f_conductor": lambda l_dot_h, eta, k: np.ones(np.broadcast_shapes(*map(np.shape, (l_dot_h, eta, k)))),  # r_s, r_p
+    **{name: _sky_terms(name) for name in ("reflected_radiance", "reflected_radiance_sum", "sun_share")},
+    **{name: partial(_facet_terms, name) for name in (
+        "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
+    "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
+    "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
+    "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
+    "facet_area": _facet_area_terms,
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 
@@ -229,4 +279,5 @@ def ratio(function: str, args: dict, got, precision: str = "float32", is_vector:
         off = norm(np.where(value == got, 0.0, got - value), is_vector)
         found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
                          np.where(off == 0, 0.0, off / (U[precision] * cost)))
+        found = np.where((size < SMALLEST[precision]) & (off < SMALLEST[precision]), 0.0, found)
     return np.where(np.isnan(found), np.inf, found)

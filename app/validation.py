@@ -73,6 +73,7 @@ def faults(found: LoadedStep) -> Faults:
     yield from value_faults(found)
     yield from term_faults(found)
     yield from scene_faults(found)
+    yield from model_faults(found)
     step = found.step
     for kind in PROSE:
         if wrong := prose.balanced(getattr(step, kind)):
@@ -88,6 +89,16 @@ def faults(found: LoadedStep) -> Faults:
         from app import ledger
 
         yield from ledger.faults(step.plot)
+
+
+def model_faults(found: LoadedStep) -> Faults:
+    for model in found.step.models:
+        function = model.term.function
+        if function in names():
+            if not function.startswith(("brdf_", "shading_")):
+                yield f'"{function}"', f"model {model.label!r}: {function} is neither a brdf_ nor a shading_."
+            for name in {"n", "l", "v"} - set(arguments(function)):
+                yield f'"{function}"', f"model {model.label!r}: {function} takes no {name}."
 
 
 def value_faults(found: LoadedStep) -> Faults:

@@ -87,7 +87,7 @@ def test_brighter_where_the_light_is(pictures):
 
 def brdf(shot, points, to_light):
     """The docstring's formula, at points of the unit sphere."""
-    n, l = points, to_light  # noqa: E741 - the name in the formula
+    n, l = points, to_light
     v = camera.position(shot.camera) - points
     v /= np.linalg.norm(v, axis=-1, keepdims=True)
     h = (l + v) / np.linalg.norm(l + v, axis=-1, keepdims=True)

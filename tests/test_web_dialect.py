@@ -52,6 +52,10 @@ def texts() -> dict[str, tuple[shader.Assembled, shader.Assembled | None]]:
     for name, (include, signature) in shader.catalogue().items():
         source = point_program(signature, include, None)[0]
         found[f"{include}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
+    lobe = "display/lobe.glsl"  # for scenes with a lobe
+    for name, signature in shader.signatures(shader.read(lobe)).items():
+        source = point_program(signature, lobe, None)[0]
+        found[f"{lobe}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
     return found
 
 

@@ -36,6 +36,26 @@ def direction_phi(phi):
     return np.stack([-np.sin(phi), np.cos(phi), np.zeros_like(phi)], -1)
 
 
+def light_direction(theta_l, phi):
+    """The unit vector l to the light, n being +z; the eye stands at azimuth 0, its mirror side is phi = pi.
+
+    direction(theta_l, phi)
+
+    theta_l, phi (...) rad. Returns (..., 3). Errors: none. Source: deck, The BRDF (2).
+    """
+    return direction(theta_l, phi)
+
+
+def view_direction(theta_v):
+    """The unit vector v to the eye, n being +z: in the half plane of +x.
+
+    direction(theta_v, 0)
+
+    theta_v (...) rad. Returns (..., 3). Errors: none. Source: deck, The BRDF (2).
+    """
+    return direction(theta_v, 0.0)
+
+
 def fibonacci_direction(index, samples):
     """Direction number `index` of `samples` directions spread evenly over the whole sphere.
 

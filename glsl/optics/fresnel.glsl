@@ -1,5 +1,6 @@
 #include "core/constants.glsl"
 #include "core/angle.glsl"
+#include "core/legendre.glsl"
 
 // eta: index of the far side over that of the near side. l_dot_h: the cosine at the facet.
 
@@ -97,18 +98,6 @@ float f_average_schlick(float f0) {
     // Schlick 1994, averaged over the cosine-weighted hemisphere
     return f0 + (1.0 - f0) / 21.0;
 }
-
-// Gauss-Legendre nodes and weights on [0, 1]
-const float LEGENDRE_X[24] = float[24](
-    0.002406390001, 0.01263572201, 0.030862724, 0.0567922365, 0.08999900701, 0.1299379042, 0.175953174,
-    0.2272892643, 0.2831032462, 0.3424786602, 0.4044405663, 0.4679715536, 0.5320284464, 0.5955594337, 0.6575213398,
-    0.7168967538, 0.7727107357, 0.824046826, 0.8700620958, 0.910000993, 0.9432077635, 0.969137276, 0.987364278,
-    0.99759361);
-const float LEGENDRE_W[24] = float[24](
-    0.0061706149, 0.01426569431, 0.02213871941, 0.02964929246, 0.03667324071, 0.04309508077, 0.04880932605,
-    0.05372213506, 0.05775283403, 0.06083523646, 0.06291872817, 0.06396909767, 0.06396909767, 0.06291872817,
-    0.06083523646, 0.05775283403, 0.05372213506, 0.04880932605, 0.04309508077, 0.03667324071, 0.02964929246,
-    0.02213871941, 0.01426569431, 0.0061706149);
 
 float f_average_dielectric(float eta) {
     // Walsh 1926: 2 int F mu dmu; the s part in closed form, the p part in u with mu = sqrt(q) sinh(u)

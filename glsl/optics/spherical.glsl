@@ -15,6 +15,16 @@ vec3 direction_phi(float phi) {
     return vec3(-sin(phi), cos(phi), 0.0);
 }
 
+vec3 light_direction(float theta_l, float phi) {
+    // The BRDF (2): l, n being +z; phi = pi is the mirror side of the eye
+    return direction(theta_l, phi);
+}
+
+vec3 view_direction(float theta_v) {
+    // The BRDF (2): v, n being +z, in the half plane of +x
+    return vec3(sin(theta_v), 0.0, cos(theta_v));
+}
+
 vec3 fibonacci_direction(int index, int samples) {
     // Swinbank and Purser 2006, Fibonacci grids; the golden turn in 32-bit integers, where it cannot round
     float turn = float(int(uint(index) * 2654435769u)) / 4294967296.0; // -1/2 .. 1/2

@@ -36,14 +36,15 @@ def read(path: Path) -> list[dict]:
 def numbers(record: dict, twin: Twin) -> tuple[dict, float, float]:
     """Arguments, value and condition number of a record."""
     try:
-        args = {twin.inputs.get(k, k): np.array(v, float) for k, v in record["inputs"].items()}
+        args = {twin.inputs.get(k, k): np.array(v, float) * (np.pi / 180 if k in twin.degrees else 1)
+                for k, v in record["inputs"].items()}
         value, cond = float(record["value"]), record.get("cond")
         cond = np.nan if cond is None else float(cond)
     except (ValueError, TypeError, AttributeError) as error:
         raise Usage(f"{record['name']}: {error}.") from None
     if not np.isfinite(value) or np.isinf(cond) or not all(np.all(np.isfinite(v)) for v in args.values()):
         raise Usage(f"{record['name']}: a number in it is not finite.")
-    args |= {name: np.float64(x) for name, x in twin.fixed.items()}
+    args |= {name: np.asarray(x, float) for name, x in twin.fixed.items()}
     if "corners" in args:
         args["corner_count"] = np.array(len(args["corners"]))
     return args, value, cond

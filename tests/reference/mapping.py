@@ -2,12 +2,16 @@
 
 from dataclasses import dataclass, field
 
+from app.lesson import Number
+
 
 @dataclass(frozen=True)
 class Twin:
     function: str
     inputs: dict[str, str] = field(default_factory=dict)  # name of an input -> argument; itself where it is not named
+    fixed: dict[str, Number] = field(default_factory=dict)  # arguments the record does not carry
     fixed: dict[str, float] = field(default_factory=dict)  # arguments the record does not carry
+    degrees: tuple[str, ...] = ()  # inputs that the record has in degrees
 
 
 MAPPING = {  # a name, or the beginning of names up to a dot
@@ -50,6 +54,36 @@ MAPPING = {  # a name, or the beginning of names up to a dot
     "fresnel.F0_from_ior": Twin("f0_from_eta"),
     "fresnel.average_dielectric_external": Twin("f_average_dielectric"),
     "fresnel.average_schlick": Twin("f_average_schlick", {"F0": "f0"}),
+    # Phong and Blinn
+    "vector.r_dot_v": Twin("mirror_cosine"),
+    "vector.n_dot_h": Twin("halfway_cosine", fixed={"n": (0.0, 0.0, 1.0)}),
+    "lobe.cos_power": Twin("cosine_lobe", {"n": "exponent"}),
+    "norm.phong_brdf": Twin("normalisation_phong", {"n": "exponent"}),
+    "norm.blinn_phong": Twin("normalisation_blinn_phong", {"n": "exponent"}),
+    "albedo.blinn_phong_normalised": Twin("albedo_blinn_phong", {"n": "exponent"}),
+    # facets and the Cook-Torrance BRDF
+    "ndf.beckmann": Twin("d_at", {"alpha": "theta_h"}, {"ndf": 2}),
+    "ndf.ggx": Twin("d_at", {"theta": "theta_h", "a": "m"}, {"ndf": 3}),
+    "norm.blinn_ndf": Twin("d_blinn_phong_slope", {"n": "exponent"}, {"slope2": 0.0}),
+    "norm.beckmann_projected_area": Twin("beckmann_within", fixed={"theta_h": 1.5707963267948966}),
+    "beckmann.tail_beyond_deg": Twin("beckmann_tail", {"adeg": "theta_h"}, degrees=("adeg",)),
+    "map.beckmann_m_to_phong_n": Twin("exponent_from_m"),
+    "brdf.cook_torrance_vgroove_quarter": Twin("cook_torrance_at", {"F0": "f0"}),
+    "brdf.cook_torrance_vgroove_deck": Twin("cook_torrance_printed_at", {"F0": "f0"}),
+    "brdf.cook_torrance_smithHC_quarter": Twin("cook_torrance_smith_at", {"F0": "f0"}),
+    "albedo.ggx_smithHC_F1": Twin("albedo_ggx", {"a": "alpha"}, {"f0": 1.0}),
+    "albedo.cook_torrance_vgroove_quarter_F1": Twin("albedo_cook_torrance", fixed={"f0": 1.0}),
+    "albedo.cook_torrance_vgroove_quarter_schlick": Twin("albedo_cook_torrance", {"F0": "f0"}),
+    # the geometry term
+    "geometry.vgroove": Twin("vgroove_at"),
+    "smith.lambda_beckmann": Twin("lambda_beckmann_at", {"theta": "theta_v"}),
+    "smith.G1_beckmann": Twin("g1_beckmann_at", {"theta": "theta_v"}),
+    "smith.lambda_ggx": Twin("lambda_ggx_at", {"theta": "theta_v", "a": "alpha"}),
+    # rough diffuse surfaces
+    "brdf.oren_nayar_qualitative": Twin("brdf_oren_nayar_at"),
+    "brdf.EON": Twin("brdf_eon_at", {"r": "roughness"}),
+    "albedo.FON": Twin("albedo_fon", {"r": "roughness", "mu": "n_dot_v"}),
+    "albedo.EON": Twin("albedo_eon", {"r": "roughness", "mu": "n_dot_v"}),
 }
 
 

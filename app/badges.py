@@ -1,0 +1,148 @@
+"""What every reflectance must be: five checks, one function, for lessons, tests and homework.
+
+A BRDF f(n, l, v) is per steradian and without the cosine. A shading formula is L_o / L_i; it is judged as the BRDF it
+stands for, itself over n.l. With `of_radiance` the callable takes the incoming radiance as a fourth argument and gives
+L_o; only then can it fail to be linear, and all else is checked at radiance 1.
+
+    non_negative  the smallest value of f anywhere below is not below 0
+    reciprocal    f(l, v) = f(v, l): the largest relative difference, among pairs that reflect something
+    energy        int f n.l dw <= 1 for every v (Furnace's limits; 1/1000 more passes): the largest of these albedos
+    finite        no NaN and no infinity, also at grazing angles, l = v, l = -v, and below the horizon: the largest |f|
+    linear        L_o / L_i does not depend on L_i, from 1/1000 to 1000: the largest relative change. A tone curve or a
+                  clamp fails. For one light this is all of linearity: f L_i is the only such formula; several lights
+                  are summed outside of f
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from app.furnace import POLES, albedo, first_look
+from app.hemisphere import NORMAL
+from app.lesson import Model
+from app.optics import arguments
+from app.optics.spherical import direction
+from app.terms import evaluate
+
+NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
+SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
+VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
+SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
+RADIANCES = 1e-3, 0.03, 1.0, 30.0, 1e3
+EXTREMES = np.radians([0, 1e-7, 1e-3, 30, 89.9, 89.9999999, 90, 90.0000001, 120, 180])
+AROUND = np.radians([0, 1e-6, 90, 179.9999, 180, -90])
+
+
+@dataclass(frozen=True)
+class Badge:
+    ok: bool
+    worst: float | None  # None: not a number, or infinite
+    at: dict[str, float]  # rad: theta_l, theta_v, phi, or theta_v alone
+
+
+def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False) -> dict[str, Badge]:
+    """All badges of reflect(n, l, v), arrays (..., 3), unit; n is +z. Deterministic; about 0.1 s for a cheap one."""
+
+    def f(n, l, v):
+        with np.errstate(all="ignore"):
+            found = np.asarray(reflect(n, l, v, 1.0) if of_radiance else reflect(n, l, v), float)
+            found = np.broadcast_to(found, np.broadcast_shapes(l.shape, v.shape)[:-1])
+            lit = l[..., 2] > 0
+            return np.where(lit, found / np.where(lit, l[..., 2], 1.0), 0 * found) if shading else found
+
+    l, v = samples()
+    value, swapped = f(NORMAL, l, v), f(NORMAL, v, l)
+    corner_l, corner_v = corners()
+    corner = f(NORMAL, corner_l, corner_v)
+    every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
+    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v), "energy": energy(f),
+            "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
+
+
+def of_model(model: Model, values: dict) -> dict[str, Badge]:
+    """The badges of a step's model at the step's values."""
+
+    def reflect(n, l, v, radiance=1.0):
+        return evaluate(model.term, values, n=n, l=l, v=v, radiance=radiance)
+
+    return check(reflect, shading=model.is_shading, of_radiance="radiance" in arguments(model.term.function))
+
+
+def samples() -> tuple[np.ndarray, np.ndarray]:
+    """Pairs l, v (pairs, 3): the directions of the first look, dense towards the mirror, the eye, and h = n."""
+    looks = [first_look(tuple(VIEWS.tolist()))[pole] for pole in POLES]
+    l = np.concatenate([l.reshape(-1, 3) for _, l, _ in looks])
+    v = np.concatenate([np.broadcast_to(v, l.shape).reshape(-1, 3) for v, l, _ in looks])
+    above = l[:, 2] > 0
+    return l[above], v[above]
+
+
+def corners() -> tuple[np.ndarray, np.ndarray]:
+    """Pairs at which formulas break: along n, grazing, on and below the horizon, l = v and l = -v."""
+    theta_l, theta_v, phi = (x.ravel() for x in np.meshgrid(EXTREMES, EXTREMES, AROUND))
+    l, v = direction(theta_l, phi), direction(theta_v, 0 * phi)
+    flat = direction(np.pi / 2, AROUND) * (1, 1, 0)  # on the horizon to the last digit
+    l = np.concatenate([l, v, -v, flat, flat, np.broadcast_to(NORMAL, flat.shape)])
+    return l, np.concatenate([v, v, v, flat, np.broadcast_to(NORMAL, flat.shape), flat])
+
+
+def angles(l: np.ndarray, v: np.ndarray) -> dict[str, float]:
+    """theta_l, theta_v, phi (rad) of one pair."""
+    theta_l, theta_v = (float(np.arctan2(np.hypot(d[0], d[1]), d[2])) for d in (l, v))
+    phi = float(np.arctan2(l[1], l[0]) - np.arctan2(v[1], v[0])) if theta_l and theta_v else 0.0
+    return {"theta_l": theta_l, "theta_v": theta_v, "phi": math.remainder(phi, 2 * math.pi)}
+
+
+def non_negative(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
+    i = int(np.argmin(np.nan_to_num(value, nan=np.inf)))
+    least = float(value[i])
+    return Badge(not least < 0, least if math.isfinite(least) else None, angles(l[i], v[i]))
+
+
+def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
+    """The pair is looked for where something is reflected: a thousandth of the largest value weighs as much."""
+    most, off = np.maximum(abs(value), abs(swapped)), abs(value - swapped)
+    good = np.isfinite(most) & (l[:, 2] > SEEN) & (v[:, 2] > SEEN)
+    if not good.any() or not most[good].any():
+        return Badge(True, 0.0, {})
+    weighed = np.where(good, off, 0) / (np.where(good, most, 1) + 1e-3 * most[good].max())
+    i = int(np.argmax(weighed))
+    worst = float(off[i] / most[i]) if most[i] else 0.0
+    return Badge(bool(weighed[i] <= SAME), worst, angles(l[i], v[i]))
+
+
+def energy(f: Callable) -> Badge:
+    """The largest albedo over the angles of VIEWS, then over some more beside it."""
+    values, errors = albedo(f, VIEWS)
+    i = int(np.argmax(values - errors))
+    near = VIEWS[max(i - 1, 0)], VIEWS[min(i + 1, len(VIEWS) - 1)]
+    theta = np.linspace(*near, 7)[1:-1] if 0 < i < len(VIEWS) - 1 else VIEWS[i:i + 1]
+    more, off = albedo(f, theta)
+    theta, values, errors = np.append(VIEWS, theta), np.append(values, more), np.append(errors, off)
+    order = np.argsort(theta)
+    sure = (values - errors)[order]
+    i = order[int(np.argmax(sure >= sure.max() - 1e-3))]  # of equal ones the first
+    return Badge(bool(values[i] - errors[i] <= MOST), float(values[i]), {"theta_v": float(theta[i])})
+
+
+def finite(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
+    bad = ~np.isfinite(value)
+    i = int(np.argmax(bad)) if bad.any() else int(np.argmax(abs(value)))
+    return Badge(not bad.any(), None if bad.any() else float(abs(value[i])), angles(l[i], v[i]))
+
+
+def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
+    l, v = l[::7], v[::7]
+    with np.errstate(all="ignore"):
+        found = [np.broadcast_to(reflect(NORMAL, l, v, x), len(l)) / x for x in RADIANCES]
+    share = np.array(found)
+    most = np.max(abs(share), 0)
+    off = np.where(most > 0, np.ptp(share, 0) / np.where(most > 0, most, 1), 0)
+    i = int(np.argmax(np.nan_to_num(off)))
+    return Badge(bool(off[i] <= SAME), float(off[i]), angles(l[i], v[i]))
+
+
+def as_json(badges: dict[str, Badge]) -> dict[str, dict]:
+    return {name: asdict(badge) for name, badge in badges.items()}

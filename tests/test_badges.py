@@ -1,0 +1,174 @@
+"""Badges: which reflectance is green or red where, with the value that theory gives; and the sum they rest on."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from app import badges, furnace
+from app.badges import NAMES, check
+from app.lesson import Model, Term
+from app.optics.lambert import brdf_lambert
+
+PI = np.pi
+
+
+def lit(f, l, v):
+    return np.where((l[..., 2] > 0) & (v[..., 2] > 0), f, 0.0)
+
+
+def lambert(rho):
+    return lambda n, l, v: brdf_lambert(n, l, v, rho)
+
+
+def from_mirror(l, v):
+    """1 - r.v, without losing digits."""
+    return 0.5 * np.sum((l * (-1, -1, 1) - v) ** 2, -1)
+
+
+def phong(exponent, scale=None):
+    """(r.v)^exponent, normalised by (exponent + 2) / 2 pi: its albedo at theta_v 0 is 1."""
+    c = (exponent + 2) / (2 * PI) if scale is None else scale
+
+    def f(n, l, v):
+        away = from_mirror(l, v)
+        return lit(np.where(away < 1, c * np.exp(exponent * np.log1p(-np.minimum(away, 1 - 1e-12))), 0), l, v)
+
+    return f
+
+
+def slope(l, v):
+    """tan^2 of the angle between n and h."""
+    s = l + v
+    return (s[..., 0] ** 2 + s[..., 1] ** 2) / np.maximum(s[..., 2], 1e-200) ** 2
+
+
+def blinn(exponent, normalised=True):
+    c = (exponent + 2) * (exponent + 4) / (8 * PI * (exponent + 2 ** (-exponent / 2))) if normalised else 1.0
+    return lambda n, l, v: lit(c * np.exp(-exponent / 2 * np.log1p(np.minimum(slope(l, v), 1e18))), l, v)
+
+
+def cook_torrance(m, prefactor=0.25):
+    """Beckmann's D, the V-groove's G, F = 1."""
+    def f(n, l, v):
+        s, t2 = l + v, np.minimum(slope(l, v), 1e18)
+        length = np.linalg.norm(s, axis=-1)
+        d = np.exp(-t2 / m**2 - math.log(PI * m * m)) * (1 + t2) ** 2
+        n_dot_h, l_dot_h = s[..., 2] / length, length / 2
+        g = np.minimum(1, 2 * n_dot_h * np.minimum(l[..., 2], v[..., 2]) / l_dot_h)
+        return lit(np.nan_to_num(prefactor * d * g / (l[..., 2] * v[..., 2])), l, v)
+
+    return f
+
+
+def sent_back(exponent):
+    """A lobe about the eye, as of a cat's eye."""
+    return lambda n, l, v: lit((exponent + 2) / (2 * PI) * np.exp(
+        exponent * np.log1p(-np.minimum(0.5 * np.sum((l - v) ** 2, -1), 1 - 1e-12))), l, v)
+
+
+def angles_of(badge):
+    return {name: math.degrees(value) for name, value in badge.at.items()}
+
+
+TABLE = {  # a reflectance, what is said with it, and what is red: badge -> worst value, how near, angles (degrees)
+    "Lambert": (lambert(0.8), {}, {}),
+    "Lambert, more than it gets": (lambert(1.2), {}, {"energy": (1.2, 1e-9, {"theta_v": 0})}),
+    "Lambert, negative": (lambert(-0.1), {}, {"non_negative": (-0.1 / PI, 1e-12, None)}),
+    "Phong's lobe, normalised": (phong(20), {}, {}),
+    "Phong's lobe, very narrow": (phong(1e7), {}, {}),
+    "Phong, 1977": (phong(20, 1.0), {"shading": True}, {"reciprocal": (0.93, 0.05, None)}),
+    "Phong, 1977, broad": (phong(0, 1.0), {"shading": True},
+                           {"reciprocal": (0.93, 0.06, None), "energy": (2 * PI, 1e-3, {"theta_v": 0})}),
+    "Blinn-Phong": (blinn(20), {}, {}),
+    "Blinn-Phong, very narrow": (blinn(1e7), {}, {}),
+    "Blinn's lobe, unnormalised": (blinn(1, False), {},
+                                   {"energy": (8 * PI * (1 + 2**-0.5) / 15, 1e-4, {"theta_v": 0})}),
+    "Cook-Torrance": (cook_torrance(0.3), {}, {}),
+    "Cook-Torrance, smooth": (cook_torrance(1e-4), {}, {}),
+    "Cook-Torrance, 1/pi, m = 0.1": (cook_torrance(0.1, 1 / PI), {}, {"energy": (1.2732, 1e-3, {"theta_v": 0})}),
+    "Cook-Torrance, 1/pi, m = 0.8": (cook_torrance(0.8, 1 / PI), {}, {"energy": (1.2732, 2e-3, {"theta_v": 89.5})}),
+    "a cat's eye": (sent_back(1e6), {}, {}),
+    "a cat's eye, too bright": (lambda n, l, v: 1.1 * sent_back(1e6)(n, l, v), {},
+                                {"energy": (1.1, 1e-3, {"theta_v": 0})}),
+    "one side only": (lambda n, l, v: np.where(l[..., 2] > 0, v[..., 2] ** 2 / PI, 0.0), {},
+                      {"reciprocal": (0.9988, 1e-3, None)}),
+    "divided by n.v": (lambda n, l, v: 0.1 / np.where(l[..., 2] > 0, v[..., 2], np.inf), {},
+                       {"non_negative": None, "reciprocal": None, "energy": None, "finite": (None, 0, None)}),
+    "a clamped picture": (lambda n, l, v, radiance: np.minimum(lambert(0.8)(n, l, v) * radiance, 1.0),
+                          {"of_radiance": True}, {"linear": (1 - 1e-3 * PI / 0.8, 1e-9, None)}),
+    "a linear formula": (lambda n, l, v, radiance: lambert(0.8)(n, l, v) * radiance, {"of_radiance": True}, {}),
+}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_badges_are_green_and_red_where_theory_says(name):
+    reflect, how, red = TABLE[name]
+    found = check(reflect, **how)
+    assert tuple(found) == NAMES
+    assert {name for name in NAMES if not found[name].ok} == set(red)
+    for badge, wanted in red.items():
+        if wanted is None:
+            continue
+        worst, near, at = wanted
+        assert found[badge].worst == (worst if worst is None else pytest.approx(worst, abs=near)), badge
+        if at is not None:
+            assert angles_of(found[badge]) == pytest.approx(at)
+    json.dumps(badges.as_json(found), allow_nan=False)
+
+
+def test_the_pair_that_is_told_is_not_reciprocal():
+    f = TABLE["Phong, 1977"][0]
+    badge = check(f, shading=True)["reciprocal"]
+    from app.optics.spherical import direction
+
+    n, l, v = np.array([0, 0, 1.0]), direction(badge.at["theta_l"], badge.at["phi"]), direction(badge.at["theta_v"], 0)
+    there, back = f(n, l, v) / l[2], f(n, v, l) / v[2]
+    assert 1 - min(there, back) / max(there, back) == pytest.approx(badge.worst, rel=1e-9)
+    assert 1 - math.cos(badge.at["theta_v"]) / math.cos(badge.at["theta_l"]) == pytest.approx(badge.worst, rel=1e-6)
+
+
+def test_what_is_not_finite_is_told_with_its_place():
+    def f(n, l, v):
+        s = l + v
+        with np.errstate(all="ignore"):
+            return lit(s[..., 2] / np.linalg.norm(s, axis=-1), l, v) + 0 / np.linalg.norm(s, axis=-1)
+
+    badge = check(f)["finite"]
+    assert (badge.ok, badge.worst) == (False, None), "0 / 0 at l = -v"
+
+
+ALBEDOS = {  # closed forms, and the table of optics.md D1 and D7; how near
+    "Lambert": (lambert(0.8), (0, 30, 60, 85), (0.8, 0.8, 0.8, 0.8), 3e-4),
+    "Cook-Torrance 0.3": (cook_torrance(0.3), (0, 60), (0.9956, 0.9248), 3e-4),
+    "Cook-Torrance 0.5": (cook_torrance(0.5), (0,), (0.8924,), 3e-4),
+    "Cook-Torrance 1": (cook_torrance(1.0), (0, 60, 85), (0.4534, 0.7917, 0.9695), 4e-4),
+    "printed 1": (cook_torrance(1.0, 1 / PI), (0, 60, 85), (0.5773, 1.0080, 1.2344), 4e-4),
+    "Blinn-Phong 1": (blinn(1), (0, 30, 60, 85), (1, 0.955, 0.819, 0.633), 6e-4),
+    "Blinn-Phong 10": (blinn(10), (0, 30, 60, 85), (1, 0.805, 0.400, 0.135), 6e-4),
+    "Blinn-Phong 100": (blinn(100), (0, 30, 60, 85), (1, 0.755, 0.265, 0.025), 6e-4),
+    "Blinn-Phong 20": (blinn(20), (math.degrees(0.7),), (0.628119765165,), 1e-5),
+    "Cook-Torrance 0.4": (cook_torrance(0.4), (math.degrees(0.7),), (0.919767901032,), 3e-4),
+    "Cook-Torrance 0.15": (cook_torrance(0.15), (math.degrees(1.2),), (0.963624147079,), 5e-4),
+    "a mirror's Phong lobe": (phong(1e7), (0, 30, 60, 85), np.cos(np.radians((0, 30, 60, 85))), 3e-4),
+    "a mirror's Blinn lobe": (blinn(1e7), (0, 30, 60, 85), np.cos(np.radians((0, 30, 60, 85))) ** 2, 3e-4),
+    "a mirror": (cook_torrance(1e-4), (0, 30, 60, 85, 89), np.ones(5), 3e-4),
+    "a cat's eye": (sent_back(1e5), (0, 30, 60, 85), np.cos(np.radians((0, 30, 60, 85))), 3e-4),
+    "a little mirror on Lambert": (lambda n, l, v: 0.99 * lambert(1)(n, l, v) + 0.01 * cook_torrance(1e-4)(n, l, v),
+                                   (0, 30, 60, 85), np.ones(4), 3e-4),
+}
+
+
+@pytest.mark.parametrize("name", ALBEDOS)
+def test_the_furnace_finds_the_light_of_any_lobe(name):
+    f, angles, wanted, near = ALBEDOS[name]
+    value, error = furnace.albedo(f, np.radians(angles))
+    assert value == pytest.approx(np.array(wanted), abs=near)
+    assert np.all(error < 0.01), "it says how sure it is"
+
+
+def test_a_step_s_model_takes_its_arguments_from_the_values():
+    model = Model("matt", Term("brdf_lambert", {"rho": "k_d"}))
+    assert badges.of_model(model, {"k_d": 0.9, "theta_v": 0.3})["energy"].worst == pytest.approx(0.9, abs=1e-6)
+    assert not badges.of_model(model, {"k_d": 1.5})["energy"].ok
