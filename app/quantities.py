@@ -172,6 +172,7 @@ TABLE: dict[str, Quantity] = {
     # shapes of area lights
     "light_shape": Quantity("k", "", 0, 3, 0, "which shape: panel, disk, sphere, polygon", kind="int"),
     "to_light": Quantity("r", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "from the point to the light's middle", kind="vec3"),
+    "reading": Quantity("k", "", 0, 2, 0, "how a program reads the spot: as meant, full angles, +l.d", kind="int"),
     "given": Quantity("k", "", 0, 2, 0, "which number is given: flux, exitance, radiance", kind="int"),
     "amount": Quantity("a", "", 0.1, 1000.0, 100.0, "the given one, in W, W/m² or W/(m² sr)", (1e-6, 1e9), "log"),
     # matter: n is +z, v = direction(theta_v, 0), l = direction(theta_l, phi); phi = 180 degrees is the mirror side

@@ -705,14 +705,15 @@ $\cos\alpha = -\colour{l}{l}\cdot d$ ($l$ goes to the lamp, $d$ away from it):
 
 $$f = \operatorname{clamp}\Bigl(1-\frac{\cos H-\cos\alpha}{\cos H-\cos F},\,0,\,1\Bigr)$$
 
-The slide ends the falloff at a third angle, $\theta_L$, and does not clamp.
-[As printed](?edge=2&threshold=50): outside $F$ the spot takes light away. The dots are $\colour{printed}{\text{negative}}$
-irradiance.
+The slide prints three traps. It ends the falloff at a third angle, $\theta_L$, without a clamp: [as
+printed](?edge=2&threshold=50&reading=0) the spot takes light away outside $F$; the dots are
+$\colour{printed}{\text{negative}}$. It does not say *half*: with [full angles](?edge=0&hotspot=20&falloff=30&reading=1) in
+the formula the lamp makes 3.8 times its flux. And with its sign, [$+l\cdot d$](?edge=0&reading=2), nothing before the lamp
+is lit.
 
-[Linear](?edge=0) has a crease at both cones; [smoothstep](?edge=1) has none and, here, the same flux.
+[Linear](?edge=0&reading=0) has a crease at both cones; [smoothstep](?edge=1&reading=0) none and, here, the same flux.
 [H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$. A
-[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones: a weaker middle, and light that
-strays.
+[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones.
 """,
     scene=Scene(
         glsl="""
@@ -727,6 +728,7 @@ uniform float falloff;
 uniform float threshold;
 uniform float radiant_intensity;
 uniform int edge;
+uniform int reading;
 uniform float off_axis;
 
 const vec3 LAMP = vec3(0.0, -0.9, 1.8);
@@ -738,9 +740,11 @@ vec3 ray(float angle, float turn) {
     return cos(angle) * AXIS + sin(angle) * (cos(turn) * RIGHT + sin(turn) * OVER);
 }
 
+// Floor and wall come twice, for the formula and for the measured lamp; those not chosen have no size and cost nothing.
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
-    if (surface == 1) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
+    if (surface < 2 && edge == 3 || surface > 4 && edge != 3) return vec3(0.0);
+    if (surface == 0 || surface == 5) return vec3(4.0 * s - 2.0, 0.0);
+    if (surface == 1 || surface == 6) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
     if (surface == 2) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
     return LAMP + 1.3 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
 }
@@ -749,14 +753,11 @@ vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 3) return palette[COLOUR_L];
     if (s.id == 4) return palette[COLOUR_QUIET];
-    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
+    vec3 n = s.id == 0 || s.id == 5 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
     vec3 d = -direction_to_light(s.position, LAMP);
-    float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
-    float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
-        : spot_as_printed(angle, hotspot, falloff, threshold);
-    for (int i = edge == 3 ? 0 : 1; i < 1; i++) { // a loop: a software renderer computes both sides of an if
-        share = ies_as_spot(table, angle, hotspot, falloff);
-    }
+    float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS)), share = 0.0;
+    if (s.id > 4) share = ies_as_spot(table, angle, hotspot, falloff);
+    else share = spot_read(angle, hotspot, falloff, threshold, edge, reading);
     if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
@@ -780,7 +781,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1)),
-                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22)),
+                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22),
+                  Surface("floor, measured lamp", cells=(2, 2)), Surface("wall, measured lamp", cells=(2, 2))),
         marks=(
             Mark("axis", colour="exact", tip="arrow", label="d"),
             Mark("hotspot rim", colour="l", segments=64, width=1.4, label="H", label_at=0.0),
@@ -802,14 +804,16 @@ vec4 probe(int i) {
             Curve("linear, clamped", Term("spot_linear")),
             Curve("smoothstep", Term("spot_smooth"), role="estimate"),
             Curve("as printed", Term("spot_as_printed"), role="printed"),
+            Curve("as read", Term("spot_read"), role="printed"),
             Curve("IES, same flux", Term("ies_as_spot"), role="estimate"),
         ),
         y_label="share of I",
     ),
     readouts=(
         Readout("flux", Term("spot_flux"), role="exact", unit="W"),
+        Readout("flux as read", Term("spot_read_flux"), role="printed", unit="W", against="flux"),
         Readout("share at α", Term("spot_linear"), role="exact", unit=""),
-        Readout("as printed at α", Term("spot_as_printed"), role="printed", unit="", against="share at α"),
+        Readout("as read at α", Term("spot_read"), role="printed", unit="", against="share at α"),
     ),
     ask=Prediction(
         question="Hotspot 20°, falloff 30°, 100 W/sr: 61 W. A program reads the angles as full ones. What flux does it make?",
@@ -817,12 +821,13 @@ vec4 probe(int i) {
         unit="W",
         low=0.0,
         high=122.0,
-        sets={"hotspot": 20.0, "falloff": 30.0, "edge": 0},
+        sets={"hotspot": 20.0, "falloff": 30.0, "edge": 0, "reading": 0},
         told="15.5 W: a quarter. A cone grows with the square of its angle; file formats differ in which half they mean.",
     ),
     notes="""
 Let the class read the slide's formula and find the undefined angle. Then switch to it: the ring of dots takes light away
-from other lamps. Then the sign: with +l.d in place of -l.d nothing is lit at all. Drag falloff onto hotspot: 0/0 on the
+from other lamps. Then full angles: 61 W become 231. Then the sign: l goes to the lamp and d away from it, so +l.d lights
+what is behind the lamp, and nothing here. Drag falloff onto hotspot: 0/0 on the
 slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). Last, the downlight: the same watts, half the middle; ask
 where the rest went. 6 minutes.
 """,
@@ -831,7 +836,8 @@ where the rest went. 6 minutes.
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
             Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES")),
-            Value("threshold", 50.0, low=2.0, high=80.0), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
+            Value("reading", 0, choices=("as meant", "full angles", "plus l·d")),
+            Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
 )
@@ -964,7 +970,7 @@ vec4 probe(int i) {
         marks=(RIM, Mark("plumb line", colour="quiet", line="dotted", tip="dot", width=0.8)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
-        camera=Camera(azimuth=-80, elevation=32, distance=9.4, target=(0.0, -0.4, 0.2)),
+        camera=Camera(azimuth=-80, elevation=30, distance=8.9, target=(0.0, -0.3, 0.25)),
     ),
     plot=Ledger(
         title="Give one, get the others",
@@ -1003,8 +1009,8 @@ directions. 4 minutes.
     values=(Value("given", 0, choices=("flux", "exitance", "radiance")), Value("amount", 60.0, low=1.0),
             Value("light_shape", 0, choices=SHAPES), Value("panel_width", 1.0, low=0.1, high=2.0),
             Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
-            Value("panel_tilt", 0.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
-            Value("light_y", 0.0, low=-1.0, high=1.0, more=True)),
+            Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
+            Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
     minutes=4,
 )
 
