@@ -137,19 +137,21 @@ def test_the_printed_spot_makes_negative_light():
 
 
 def test_three_ways_to_misread_the_spot():
-    """D4 of the optics reference: 3.8 times the flux of half angles taken for full ones; no light with the other sign."""
+    """D4 of the optics reference: 3.8 times the flux by full angles; no light with the other sign."""
     hotspot, falloff = np.radians([20.0, 30.0])
     flux = [spot.spot_read_flux(100.0, hotspot, falloff, reading) for reading in range(3)]
     assert flux[0] == pytest.approx(61, abs=0.5) and flux[1] / flux[0] == pytest.approx(3.8, abs=0.05) and flux[2] == 0
-    ahead, below = np.linspace(0, np.pi / 2, 91), {"threshold": np.radians(170.0)}
+    ahead = np.linspace(0, np.pi / 2, 91)
     for edge in (0, 1):
         assert np.all(spot.spot_read(ahead, hotspot, falloff, 0.9, edge, 2) == 0)
         assert spot.spot_read(np.pi, hotspot, falloff, 0.9, edge, 2) == 1, "it is behind the lamp"
-    assert np.all(spot.spot_read(ahead, hotspot, falloff, np.pi / 2, 2, 2) == 0), "as printed, up to a right angle: none"
-    assert np.all(spot.spot_read(ahead[20:], hotspot, falloff, below["threshold"], 2, 2) < 0), "beyond it: negative light"
+    assert np.all(spot.spot_read(ahead, hotspot, falloff, np.pi / 2, 2, 2) == 0), "none to a right angle"
+    assert np.all(spot.spot_read(ahead[20:], hotspot, falloff, np.radians(170.0), 2, 2) < 0), "beyond: negative light"
     for reading, wide in ((0, 1.0), (1, 2.0)):
-        total, _ = quad(lambda a, r=reading: 200 * np.pi * np.sin(a) * spot.spot_read(a, hotspot, falloff, 0.9, 0, r), 0, 1.5,
-                        points=[wide * hotspot, wide * falloff])
+        def ring(a, reading=reading):
+            return 200 * np.pi * np.sin(a) * spot.spot_read(a, hotspot, falloff, 0.9, 0, reading)
+
+        total, _ = quad(ring, 0, 1.5, points=[wide * hotspot, wide * falloff])
         assert total == pytest.approx(flux[reading], rel=1e-8)
 
 

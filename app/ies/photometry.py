@@ -1,8 +1,9 @@
 """A luminaire as it was measured, and the same as one grid of the whole sphere: the table a scene samples.
 
-Table rows: 0 the header [axis, vertical angles, planes, declared lm or NaN, peak cd, integrated lm]; 1 the angles from the pole; 2 the
-azimuths of the planes, from -180 to 180; then one row of candela for each plane. Degrees and cd. The pole is straight
-down (axis 0: types C and A) or horizontal, 90 degrees clockwise from the luminaire's front (axis 1: type B).
+Table rows: 0 the header [axis, vertical angles, planes, declared lm or NaN, peak cd, integrated lm]; 1 the angles from
+the pole; 2 the azimuths of the planes, from -180 to 180; then one row of candela for each plane. Degrees and cd. The
+pole is straight down (axis 0: types C and A) or horizontal, 90 degrees clockwise from the luminaire's front (axis 1:
+type B).
 """
 
 from dataclasses import dataclass

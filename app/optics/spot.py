@@ -92,11 +92,11 @@ def spot_intensity(radiant_flux, hotspot, falloff):
 def spot_read(off_axis, hotspot, falloff, threshold, edge, reading):
     """The spotlight as a program draws it that reads the angles or the cosine in its own way.
 
-    reading 0: as meant; 1: full angles are taken for half ones, spot(a, 2 H, 2 F); 2: +l.d for -l.d, spot(pi - a, H, F);
-    spot: edge 1 spot_smooth, 2 spot_as_printed, else spot_linear
+    reading 0: as meant; 1: full angles are taken for half ones, spot(a, 2 H, 2 F); 2: +l.d for -l.d,
+    spot(pi - a, H, F); spot: edge 1 spot_smooth, 2 spot_as_printed, else spot_linear
 
-    off_axis, hotspot, falloff, threshold (...) rad, edge, reading (...) int. Returns (...), as these. Errors: of 1 about
-    4 times the flux; of 2 no light on what the lamp faces. Source: deck, Light Sources - Spotlights (2); optics D4.
+    off_axis, hotspot, falloff, threshold (...) rad, edge, reading (...) int. Returns (...), as these. Errors: of 1
+    about 4 times the flux; of 2 no light on what the lamp faces. Source: deck, Light Sources - Spotlights (2); D4.
     """
     a, hotspot, falloff = (np.asarray(x, float) for x in (off_axis, hotspot, falloff))
     wide, angle = np.where(np.asarray(reading) == 1, 2.0, 1.0), np.where(np.asarray(reading) == 2, pi - a, a)
@@ -108,7 +108,7 @@ def spot_read(off_axis, hotspot, falloff, threshold, edge, reading):
 def spot_read_flux(radiant_intensity, hotspot, falloff, reading):
     """The flux that reaches the half space before the lamp when a program reads the spotlight in its own way.
 
-    spot_flux(I, H, F); reading 1: spot_flux(I, 2 H, 2 F), what is behind the lamp with it; reading 2: 0, it is all behind
+    spot_flux(I, H, F); reading 1: spot_flux(I, 2 H, 2 F), with what goes behind the lamp; reading 2: 0, all is behind
 
     radiant_intensity (...) W/sr, hotspot, falloff (...) rad, falloff < pi/2, reading (...) int. Returns (...) W.
     Errors: none. Source: the integral of the deck's formula, Light Sources - Spotlights (2); optics D4.
