@@ -17,6 +17,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "render": ("", "one step as a picture"),
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
+    "board": ("app.board.command", "any reflectance model, of the course or a .brdf file, judged"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."
@@ -149,6 +150,7 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--set", metavar="name=value", nargs="+", action="extend", default=[],
                         help="values of the step, angles in degrees")
     parser.add_argument("--view", metavar="PART", help="scene, plot or both")
+    parser.add_argument("--plot", metavar="N", help="which plot of a step that has several, from 1, or its title")
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")

@@ -42,8 +42,11 @@ class Badge:
     at: dict[str, float]  # rad: theta_l, theta_v, phi, or theta_v alone
 
 
-def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False) -> dict[str, Badge]:
-    """All badges of reflect(n, l, v), arrays (..., 3), unit; n is +z. Deterministic; about 0.1 s for a cheap one."""
+def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False, same: float = SAME
+          ) -> dict[str, Badge]:
+    """All badges of reflect(n, l, v), arrays (..., 3), unit; n is +z. Deterministic; about 0.1 s for a cheap one.
+
+    `same` is the relative difference of two ways that still counts as none: more than SAME for float32."""
 
     def f(n, l, v):
         with np.errstate(all="ignore"):
@@ -57,8 +60,9 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
     corner_l, corner_v = corners()
     corner = f(NORMAL, corner_l, corner_v)
     every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
-    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v), "energy": energy(f),
-            "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
+    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v, same),
+            "energy": energy(f), "finite": finite(*every),
+            "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
@@ -101,7 +105,7 @@ def non_negative(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
     return Badge(not least < 0, least if math.isfinite(least) else None, angles(l[i], v[i]))
 
 
-def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
+def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray, same: float) -> Badge:
     """The pair is looked for where something is reflected: a thousandth of the largest value weighs as much."""
     most, off = np.maximum(abs(value), abs(swapped)), abs(value - swapped)
     good = np.isfinite(most) & (l[:, 2] > SEEN) & (v[:, 2] > SEEN)
@@ -110,7 +114,7 @@ def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndar
     weighed = np.where(good, off, 0) / (np.where(good, most, 1) + 1e-3 * most[good].max())
     i = int(np.argmax(weighed))
     worst = float(off[i] / most[i]) if most[i] else 0.0
-    return Badge(bool(weighed[i] <= SAME), worst, angles(l[i], v[i]))
+    return Badge(bool(weighed[i] <= same), worst, angles(l[i], v[i]))
 
 
 def energy(f: Callable) -> Badge:

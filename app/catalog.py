@@ -10,7 +10,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 from app import shader
-from app.lesson import Chapter, Curves, Figure, Ledger, Number, Scene, Step, Term, Value
+from app.lesson import Chapter, Curves, Figure, Ledger, ModelPlot, Number, Scene, Step, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
@@ -171,14 +171,17 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
     found.append(("prediction", step.ask.truth, data))
     found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
-    if isinstance(step.plot, Curves):
-        found += [(f"curve {c.label!r}", c.term, data | {step.plot.sweep}) for c in step.plot.curves]
-    if isinstance(step.plot, Figure):
-        found += [(f"sheet {s.label!r}", term, data | SWEPT) for s in step.plot.sheets for term in (s.term, s.height)
-                  if term]
-    if isinstance(step.plot, Ledger):
-        found += [(f"row {r.label!r}", r.term, data) for column in step.plot.columns for r in column]
-        found += [("balance", term, data) for term in step.plot.balance or ()]
+    for plot in step.plots:
+        if isinstance(plot, Curves):
+            found += [(f"curve {c.label!r}", c.term, data | {plot.sweep}) for c in plot.curves]
+        elif isinstance(plot, Figure):
+            found += [(f"sheet {s.label!r}", term, data | SWEPT) for s in plot.sheets for term in (s.term, s.height)
+                      if term]
+        elif isinstance(plot, Ledger):
+            found += [(f"row {r.label!r}", r.term, data) for column in plot.columns for r in column]
+            found += [("balance", term, data) for term in plot.balance or ()]
+        elif isinstance(plot, ModelPlot):
+            found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in plot.models]
     return found
 
 
@@ -199,8 +202,8 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     for _, term, swept in terms(step):
         given = [term.args.get(name, name) for name in arguments(term.function)]
         names += [name for name in given if isinstance(name, str) and name in TABLE and name not in swept]
-    if isinstance(step.plot, Curves):
-        names.append(step.plot.sweep)
+    for plot in step.plots:
+        names += [plot.sweep] if isinstance(plot, Curves) else ["l", "v"] if isinstance(plot, ModelPlot) else []
     names = [angle for name in names for angle in FROM_ANGLES.get(name, (name,))]
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}

@@ -113,7 +113,7 @@ def table_sizes(scene: Scene, values: dict) -> dict[str, tuple[int, int]]:
 def packages(found: LoadedStep) -> dict[str, str]:
     step = found.step
     needs = {"numpy": "numbers", "moderngl": "the scene", "imgui_bundle": "the window",
-             "pyvista": f"the plot {step.plot.title!r}"}
+             "pyvista": "the plot " + ", ".join(repr(plot.title) for plot in step.plots)}
     if any(surface.mesh for surface in step.scene.surfaces):
         needs["trimesh"] = "a mesh of your own; the built-in ones need none"
     return needs

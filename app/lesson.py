@@ -4,8 +4,8 @@ What depends on a value lives in GLSL (the scene's functions) or is the name of 
 constant.
 """
 
-from dataclasses import dataclass, field, fields
-from functools import cache
+from dataclasses import dataclass, field, fields, replace
+from functools import cache, cached_property
 from typing import Literal, get_args, get_origin
 
 Number = float | tuple[float, ...]
@@ -242,7 +242,39 @@ class Ledger:
     unit: str = ""  # of the balance
 
 
-Plot = Curves | Figure | Faces | Ledger
+@dataclass(frozen=True)
+class Lobes(Worded):
+    """The lobes of models over the hemisphere, overlaid, at the step's theta_l, theta_v and phi: where the light of l
+    goes, or (`over` "l") from where light reaches v. Without models it shows the step's. A value `lobe_scale` of the
+    step switches between f, f times n.l and log f; a model of `channel` has three lobes."""
+
+    title: str
+    models: tuple[Model, ...] = ()
+    over: Literal["v", "l"] = "v"
+    camera: Camera = Camera(azimuth=-90, elevation=16, distance=4.3, target=(0.0, 0.0, 0.42))
+
+
+@dataclass(frozen=True)
+class Slice(Worded):
+    """The same lobes cut by the plane of n and the still direction: a polar plot, or the value against the angle."""
+
+    title: str
+    models: tuple[Model, ...] = ()
+    over: Literal["v", "l"] = "v"
+    kind: Literal["polar", "angle"] = "polar"
+
+
+@dataclass(frozen=True)
+class ImageSlice:
+    """A model in its own coordinates: the halfway vector's angle theta_h to the right, the difference angle theta_d
+    upwards, at phi_d = 90 degrees (Burley 2012). The step's value `model` chooses one of several."""
+
+    title: str
+    models: tuple[Model, ...] = ()
+
+
+ModelPlot = Lobes | Slice | ImageSlice
+Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice
 
 
 @dataclass(frozen=True)
@@ -277,7 +309,7 @@ class Step:
     slides: tuple[str, ...]  # titles of the deck
     prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
     scene: Scene
-    plot: Plot
+    plot: Plot | tuple[Plot, ...]
     readouts: tuple[Readout, ...]
     ask: Prediction
     notes: str  # for the lecturer
@@ -287,6 +319,13 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
+
+    @cached_property
+    def plots(self) -> tuple[Plot, ...]:
+        """Its plots, each with the models it shows."""
+        given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
+        return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
+                     for plot in given)
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from app import prediction
 from app.catalog import LoadedStep, chapters, step, steps
-from app.lesson import Number
+from app.lesson import Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
 from app.problem import Problem, Usage, near
@@ -63,6 +63,15 @@ class Session:
     @property
     def view(self) -> View:
         return self.visit.view
+
+    @property
+    def plot(self) -> Plot:
+        """Which of the step's plots is shown."""
+        return self.current.step.plots[self.visit.plot]
+
+    def show_plot(self, number: int) -> None:
+        """Another of the step's plots; after the last comes the first."""
+        self.visit.plot = number % len(self.current.step.plots)
 
     @property
     def state(self) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Iterator
 
 from app import prose, shader
 from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
-from app.lesson import Curves, Faces, Ledger, Number, Scene
+from app.lesson import Curves, Faces, Ledger, ModelPlot, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
 from app.quantities import TABLE, entered
@@ -83,12 +83,17 @@ def faults(found: LoadedStep) -> Faults:
         against = readout.against
         if against and against not in labels:
             yield against, f"there is no readout {against!r} to compare with.{near(against, labels)}"
-    if isinstance(step.plot, Faces) and not any(surface.mesh for surface in step.scene.surfaces):
-        yield "Faces(", "the plot shows a mesh, and the scene has none."
-    if isinstance(step.plot, Ledger):
-        from app import ledger
+    if not step.plots:
+        yield "plot=", "the step has no plot."
+    for plot in step.plots:
+        if isinstance(plot, Faces) and not any(surface.mesh for surface in step.scene.surfaces):
+            yield "Faces(", "the plot shows a mesh, and the scene has none."
+        if isinstance(plot, ModelPlot) and not plot.models:
+            yield plot.title, f"the plot {plot.title!r} shows models, and neither it nor the step has any."
+        if isinstance(plot, Ledger):
+            from app import ledger
 
-        yield from ledger.faults(step.plot)
+            yield from ledger.faults(plot)
 
 
 def model_faults(found: LoadedStep) -> Faults:
@@ -130,9 +135,10 @@ def term_faults(found: LoadedStep) -> Faults:
             given = term.args.get(name, name)
             if isinstance(given, str) and given not in TABLE and given not in swept:
                 yield f'"{term.function}"', f"{where}: {given} of {term.function} is neither given nor a value."
-    if isinstance(step.plot, Curves) and step.plot.sweep not in TABLE:
-        whole = False
-        yield "sweep=", f"the plot sweeps {step.plot.sweep}, which is no quantity.{near(step.plot.sweep, TABLE)}"
+    for plot in step.plots:
+        if isinstance(plot, Curves) and plot.sweep not in TABLE:
+            whole = False
+            yield "sweep=", f"the plot sweeps {plot.sweep}, which is no quantity.{near(plot.sweep, TABLE)}"
     if step.scene.dots and isinstance(step.scene.dots.count, str) and step.scene.dots.count not in TABLE:
         whole = False
         yield "Dots(", f"the dots are counted by {step.scene.dots.count}, which is no quantity."

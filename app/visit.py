@@ -14,6 +14,7 @@ class Visit:
     values: dict[str, Number]  # internal units; the same dictionary for the whole visit
     view: View
     answer: Answer = field(default_factory=Answer)
+    plot: int = 0  # which of the step's plots is shown
     past: list[Snapshot] = field(default_factory=list)
     future: list[Snapshot] = field(default_factory=list)
     before: Snapshot | None = None  # while a drag is on

@@ -94,7 +94,7 @@ vec4 probe(int i) {
     return vec4(1.5, -2.6, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("lamp", cells=(64, 32))),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("lamp", cells=(32, 16))),
         marks=tuple(Mark(f"intensity {i}", colour="l", tip="arrow", width=0.9) for i in range(12)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp's rim", 0, ("radius",)), Handle("the lamp", 1, ("light_height",))),
@@ -966,7 +966,7 @@ vec4 probe(int i) {
     return vec4(i == 2 ? -1.6 : i == 3 ? -0.5333 : i == 4 ? 0.5333 : 1.5, -2.6, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 24))),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("plumb line", colour="quiet", line="dotted", tip="dot", width=0.8)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
@@ -1079,7 +1079,7 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor, sampled", cells=(2, 2)), Surface("floor, error", cells=(2, 2)),
-                  Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("light", cells=(60, 12))),
+                  Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
         dots=Dots(256, size=0.9),
@@ -1218,7 +1218,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)),
                   Surface("panel", cells=(4, 1), opacity=0.85), Surface("disk", cells=(64, 1), opacity=0.85),
-                  Surface("sphere", cells=(64, 32), opacity=0.85), Surface("polygon", cells=(5, 1), opacity=0.85)),
+                  Surface("sphere", cells=(32, 16), opacity=0.85), Surface("polygon", cells=(5, 1), opacity=0.85)),
         marks=(*(Mark(f"plumb line {name}", colour="quiet", line="dotted", tip="dot", width=0.8) for name in SHAPES),
                Mark("chosen", colour="l", width=1.8)),
         labels=(*(Label(name, i, "l") for i, name in enumerate(SHAPES)),
@@ -1321,7 +1321,7 @@ vec4 probe(int i) {
     return vec4(i == 3 ? -1.5 : i == 4 ? -0.5333 : i == 5 ? 0.5333 : 1.5, -2.62, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 12))),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
         dots=Dots(256, size=0.9),
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.lesson import Camera, Curve, Curves, Faces, Figure, Sheet, Term
+from app.lesson import Camera, Curve, Curves, Faces, Figure, Lobes, Model, Sheet, Term
 from app.plots import PlotDied, PlotProcess, picture
 from app.plots.dashes import along, dashed
 from app.plots.sweep import Sweep
@@ -397,3 +397,21 @@ def test_dashes_lie_on_the_line_and_leave_gaps(style):
     assert (np.diff(seen) >= 0).all()
     assert not ((seen > 95.001) & (seen < 104.999)).any(), "no dash crosses what is not finite"
     assert (cut_y[~np.isnan(cut_x)] == 50).all()
+
+
+# --- lobes -----------------------------------------------------------------------------------------------------------
+MATT = Model("matt", Term("brdf_lambert", {"rho": 0.8}), "d")
+LIGHT_AND_EYE = {"theta_l": 0.7, "theta_v": 0.5, "phi": math.pi}
+LOBES = Lobes("A lobe", (MATT, Model("darker", Term("brdf_lambert", {"rho": 0.4}), "printed")))
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
+def test_lobes_are_filled_and_nothing_is_cut(plots, theme):
+    for size in ((360, 360), (420, 600), (800, 600)):
+        image = drawn(plots, LOBES, LIGHT_AND_EYE, size=size, theme=theme)
+        assert image.shape == (size[1], size[0], 3)
+        ground = near(image, rgb(theme.background), 0)
+        assert 0.3 < ground.mean() < 0.97, "empty, or covered"
+        for edge in (ground[:2], ground[-2:], ground[:, :2], ground[:, -2:]):
+            assert edge.all(), "something is cut by the picture's edge"
+        assert all(near(image, colour(name, theme)).sum() > 30 for name in ("l", "v", "n", "d", "printed"))

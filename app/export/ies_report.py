@@ -37,7 +37,7 @@ def report(found: Photometry, size: tuple[int, int], theme: Theme) -> Image.Imag
     values = defaults(step) | {"table": table, "meter_s": -1.0}
     room = shot(step, values, None, (left, size[1] - upper), theme, Ink(theme, (left, size[1] - upper)))
     picture.paste(room, (0, upper))
-    figure = step.step.plot
+    figure = step.step.plots[0]
     assert isinstance(figure, Figure)
     solid = plots.picture(figure, values, (left, upper - head), theme)
     picture.paste(Image.fromarray(solid), (0, head))
@@ -49,7 +49,7 @@ def report(found: Photometry, size: tuple[int, int], theme: Theme) -> Image.Imag
 def the_step() -> LoadedStep:
     """The step whose room and plot are shown: the first with a table of a luminaire."""
     for found in steps():
-        if found.step.scene.tables and isinstance(found.step.plot, Figure):
+        if found.step.scene.tables and isinstance(found.step.plots[0], Figure):
             return found
     raise Problem("no lesson shows a measured luminaire, so there is no room to light.")
 

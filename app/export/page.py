@@ -112,7 +112,7 @@ def place(one: Shown, i: int) -> str:
 
 def figures(one: Shown) -> str:
     step = one.found.step
-    words = {one.scene: f"{step.title}. {step.idea}", one.plot: f"Plot: {getattr(step.plot, 'title', '')}"}
+    words = {one.scene: f"{step.title}. {step.idea}", one.plot: f"Plot: {step.plots[0].title}"}
     found = [f'<figure><img src="{escape(file)}" alt="{escape(words[file])}" loading="lazy"></figure>'
              for file in (one.scene, one.plot) if file]
     return f'<div class="pictures{" one" if len(found) == 1 else ""}">{"".join(found)}</div>\n' if found else ""

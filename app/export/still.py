@@ -31,7 +31,7 @@ FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene f
 
 
 def run(options) -> int:
-    """options: step (a state string), output, size, set (name=value, ...), view, theme, mesh, ies."""
+    """options: step (a state string), output, size, set (name=value, ...), view, plot, theme, mesh, ies."""
     path, size = target.picture_path(options.output), target.size_of(options.size or "1280x720")
     theme = THEMES[known("--theme", options.theme or "dark", tuple(THEMES))]
     part: Part = known("--view", options.view or "scene", PARTS)  # type: ignore[assignment]
@@ -41,7 +41,8 @@ def run(options) -> int:
     for text in options.set or ():
         values |= parse_set(text, found)
     values |= data(found, values, options.mesh, getattr(options, "ies", None))
-    picture = still(found, values, state.view, size, theme, part)
+    plot = plot_number(found, getattr(options, "plot", None) or "1")
+    picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, png(picture, found, write(found, values, state.view)))
     return 0
 
@@ -50,6 +51,16 @@ def known(option: str, name: str, names: tuple[str, ...]) -> str:
     if name not in names:
         raise Usage(f"{option} {name}: there are {', '.join(names)}.{near(name, names)}")
     return name
+
+
+def plot_number(found: LoadedStep, text: str) -> int:
+    """Which of the step's plots: counted from 1, or by its title."""
+    titles = [plot.title for plot in found.step.plots]
+    if text in titles:
+        return titles.index(text)
+    if not text.isdecimal() or not 1 <= int(text) <= len(titles):
+        raise Usage(f"--plot {text}: {found.id} has {', '.join(f'{i} ({t})' for i, t in enumerate(titles, 1))}.")
+    return int(text) - 1
 
 
 def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None) -> dict:
@@ -84,8 +95,8 @@ def triangles(found: LoadedStep, values: dict, mesh: str | Path | None = None) -
 
 
 def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple[int, int] = (1280, 720),
-          theme: Theme = THEMES["dark"], part: Part = "scene") -> Image.Image:
-    """The scene, the plot, or both side by side, above a strip with title, state and numbers; exactly `size`."""
+          theme: Theme = THEMES["dark"], part: Part = "scene", plot: int = 0) -> Image.Image:
+    """The scene, a plot, or both side by side, above a strip with title, state and numbers; exactly `size`."""
     ink = Ink(theme, size)
     below = strip(size[0], 0.34 * size[1], found.step.title, write(found, values, view),
                   numbers(found.step, values, context()), ink)
@@ -95,7 +106,7 @@ def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple
     if left:
         picture.paste(shot(found, values, view, (left, height), theme, ink), (0, 0))
     if left < size[0]:
-        picture.paste(plotted(found, values, (size[0] - left, height), theme), (left, 0))
+        picture.paste(plotted(found, values, (size[0] - left, height), theme, plot), (left, 0))
     if below:
         picture.paste(below, (0, height))
     return picture
@@ -130,7 +141,7 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
     camera, zoom = stage.scene.camera, 1.0
     tangent = math.tan(math.radians(camera.field_of_view) / 2)
     for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, counted=False)
         far = reach(stage, theme)
         wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
         if far >= CUT_OFF:
@@ -150,13 +161,13 @@ def reach(stage: Stage, theme: Theme) -> float:
     return max((abs(2 * edge / n - 1) for found, n in ends for edge in (found[0], found[-1] + 1)), default=FILLED)
 
 
-def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme) -> Image.Image:
-    """The step's plot, drawn by the plots' own process."""
+def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme, plot: int = 0) -> Image.Image:
+    """A plot of the step, drawn by the plots' own process."""
     from app import plots
 
     sliders = {name: value for name, value in values.items() if name != "triangles"}
     ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
-    return Image.fromarray(plots.picture(found.step.plot, sliders, size, theme, ranges,
+    return Image.fromarray(plots.picture(found.step.plots[plot], sliders, size, theme, ranges,
                                          triangles=values.get("triangles")))
 
 

@@ -10,11 +10,12 @@ if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, whi
 import numpy as np
 import pyvista as pv
 
-from app.lesson import Camera, Curves, Faces, Figure, Ledger, Plot
+from app.lesson import Camera, Curves, Faces, Figure, Ledger, Lobes, Plot
 from app.plots.curves import CurvesPart
 from app.plots.faces import FacesPart
 from app.plots.figure import FigurePart
 from app.plots.ledger import LedgerPart
+from app.plots.lobes import LobesPart
 from app.plots.look import Look
 from app.plots.words import header, line_of_words, noticed
 from app.theme import Theme
@@ -58,6 +59,8 @@ class Drawing:
         return np.ascontiguousarray(noticed(self.look, picture, notices, bottom))
 
     def open(self, values: dict) -> None:
+        if isinstance(self.part, LobesPart):
+            self.part.prepare(values)
         foot = self.part.footer()
         tall = self.size[1] - len(self.head) - (len(foot) if foot is not None else 0)
         self.plotter = pv.Plotter(off_screen=True, window_size=[self.size[0], tall], lighting="none")
@@ -87,6 +90,8 @@ def part(plot: Plot, look: Look, triangles: np.ndarray | None, ranges: dict):
         return FacesPart(plot, look, triangles)
     if isinstance(plot, Ledger):
         return LedgerPart(plot, look)
+    if isinstance(plot, Lobes):
+        return LobesPart(plot, look)
     raise TypeError(f"{type(plot).__name__} is not a plot")
 
 

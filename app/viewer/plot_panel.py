@@ -4,7 +4,7 @@ import moderngl
 import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves, Ledger
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
 from app.plots import PlotDied, PlotProcess
 from app.problem import Problem
 from app.theme import rgb
@@ -12,6 +12,14 @@ from app.viewer import glfw, style
 
 TURN = 0.5  # degrees a pixel
 ON_ITS_WAY = "drawing…"
+TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
+        ImageSlice: "image"}
+
+
+def tab_words(plots: tuple[Plot, ...]) -> list[str]:
+    """One word for each plot, with a number where two have the same."""
+    words = [TABS[type(plot)] for plot in plots]
+    return [word if words.count(word) == 1 else f"{word} {words[:i].count(word) + 1}" for i, word in enumerate(words)]
 
 
 class PlotPanel:
@@ -20,9 +28,10 @@ class PlotPanel:
         self.process: PlotProcess | None = None
         self.texture: moderngl.Texture | None = None
         self.of = ""  # the step the picture is of
+        self.showing: Plot | None = None  # the plot the picture is of
         self.asked: tuple = ()
         self.fine = False
-        self.cameras: dict[str, Camera] = {}  # how the plot of a step was turned
+        self.cameras: dict[tuple[str, str], Camera] = {}  # how a plot of a step was turned
         self.fault = ""
         self.shown = 0  # pictures so far
 
@@ -30,7 +39,29 @@ class PlotPanel:
     def waiting(self) -> bool:
         return self.process is not None and not self.process.idle
 
+    def tabs(self) -> None:
+        """A small tab for each plot of a step that has several."""
+        session = self.app.session
+        plots = session.current.step.plots
+        if len(plots) < 2:
+            return
+        for i, word in enumerate(tab_words(plots)):
+            if i:
+                imgui.same_line(0, 0.35 * imgui.get_font_size())
+            chosen = i == session.visit.plot
+            if chosen:
+                imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
+            if imgui.small_button(f"{word}##plot{i}"):
+                session.show_plot(i)
+            if chosen:
+                imgui.pop_style_color()
+            if imgui.is_item_hovered():
+                imgui.set_tooltip(f"{plots[i].title}  (P: the next one)")
+
     def draw(self, values: dict, room: ImVec2) -> None:
+        before = imgui.get_cursor_pos_y()
+        self.tabs()
+        room = ImVec2(room.x, room.y - (imgui.get_cursor_pos_y() - before))
         scale = imgui.get_io().display_framebuffer_scale
         size = max(64, int(room.x * scale.x)), max(64, int(room.y * scale.y))
         if self.app.frame > 1:  # the lesson is shown first
@@ -38,7 +69,8 @@ class PlotPanel:
         self.take()
         at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
-        if self.texture is not None and self.of == self.app.session.current.id and not self.fault and not hidden:
+        current = self.of == self.app.session.current.id and self.showing is self.app.session.plot
+        if self.texture is not None and current and not self.fault and not hidden:
             imgui.image(imgui.ImTextureRef(self.texture.glo), room)
         else:
             self.empty(at, room, hidden)
@@ -55,12 +87,12 @@ class PlotPanel:
 
     def ask(self, values: dict, size: tuple[int, int]) -> None:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
-        found, theme = self.app.session.current, self.app.theme
-        camera = self.cameras.get(found.id)
+        found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
+        camera = self.cameras.get((found.id, plot.title))
         triangles = values.get("triangles")
         shown = {k: v for k, v in values.items() if k != "triangles"}
         known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, known, size, theme.name, camera
+        wanted = found.id, plot.title, known, size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
@@ -68,7 +100,7 @@ class PlotPanel:
             self.process = PlotProcess(on_picture=glfw.wake)
         self.fine, self.asked = rest, wanted
         ranges = {name: (spec.low, spec.high, spec.scale) for name, spec in found.values.items()}
-        self.process.request(found.step.plot, shown, ranges, camera, size, theme, triangles, fine=rest)
+        self.process.request(plot, shown, ranges, camera, size, theme, triangles, fine=rest)
 
     def take(self) -> None:
         """Show the picture that has come; say so when the process has died."""
@@ -88,8 +120,8 @@ class PlotPanel:
             self.texture = self.app.ctx.texture((width, height), 3, alignment=1)
         self.texture.write(picture.image.tobytes(), alignment=1)
         self.shown += 1
-        if picture.wish.plot is self.app.session.current.step.plot:
-            self.of = self.app.session.current.id
+        if picture.wish.plot is self.app.session.plot:
+            self.of, self.showing = self.app.session.current.id, picture.wish.plot
 
     def empty(self, at: ImVec2, room: ImVec2, hidden: bool) -> None:
         """A plot on its way shows its axes; a dead or hidden one says so."""
@@ -97,7 +129,7 @@ class PlotPanel:
         back, quiet = style.u32(rgb(theme.background)), style.u32(rgb(theme.quiet))
         draw.add_rect_filled(at, ImVec2(at.x + room.x, at.y + room.y), back, 4.0)
         low = ImVec2(at.x + 4 * unit, at.y + room.y - 3.5 * unit)
-        if not self.fault and not hidden and isinstance(self.app.session.current.step.plot, Curves):
+        if not self.fault and not hidden and isinstance(self.app.session.plot, Curves):
             draw.add_line(low, ImVec2(at.x + room.x - unit, low.y), quiet, 1.5)
             draw.add_line(low, ImVec2(low.x, at.y + 2.5 * unit), quiet, 1.5)
         text = self.fault or (self.hidden_words() if hidden else ON_ITS_WAY)
@@ -111,20 +143,21 @@ class PlotPanel:
 
     def turn(self) -> None:
         """A plot in space is turned like the scene."""
-        found = self.app.session.current
-        if isinstance(found.step.plot, Curves | Ledger):
+        plot = self.app.session.plot
+        if not isinstance(plot, Figure | Faces | Lobes):
             return
         from dataclasses import replace
 
-        io, camera = imgui.get_io(), self.cameras.get(found.id, found.step.plot.camera)
+        key = self.app.session.current.id, plot.title
+        io, camera = imgui.get_io(), self.cameras.get(key, plot.camera)
         if imgui.is_item_active() and (io.mouse_delta.x or io.mouse_delta.y):
-            self.cameras[found.id] = replace(
+            self.cameras[key] = replace(
                 camera,
                 azimuth=camera.azimuth - TURN * io.mouse_delta.x,
                 elevation=min(max(camera.elevation + TURN * io.mouse_delta.y, -89), 89),
             )
         elif imgui.is_item_hovered() and imgui.is_mouse_double_clicked(0):
-            self.cameras.pop(found.id, None)
+            self.cameras.pop(key, None)
 
     def restart(self) -> None:
         self.fault, self.asked = "", ()

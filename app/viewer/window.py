@@ -221,6 +221,8 @@ class Window:
             self.set_theme(THEME_ORDER[(THEME_ORDER.index(self.theme.name) + 1) % len(THEME_ORDER)])
         elif key == "f":
             self.session.freeze(not self.session.frozen)
+        elif key == "p":
+            self.session.show_plot(self.session.visit.plot + 1)
         elif key == "?":
             self.show_help = not self.show_help
 
@@ -342,7 +344,7 @@ class Window:
                 self.scene.drawn = None
             else:
                 source = Source(found.step.scene, found.file_name, found.glsl_line)
-                self.scene.show(Stage(self.ctx, source, self.triangles, counts_fine=False))
+                self.scene.show(Stage(self.ctx, source, self.triangles))
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()

@@ -1,0 +1,149 @@
+"""What the plots of models share: values over directions, the direction that is picked, a legend with its numbers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from app.furnace import grid
+from app.hemisphere import NORMAL, apart, around, frame
+from app.lesson import Model
+from app.optics import arguments
+from app.optics.spherical import light_direction, view_direction
+from app.plots.look import Look, Rgb, bytes3
+from app.plots.words import dot_size, font
+from app.readouts import three
+from app.terms import bound, evaluate
+
+SCALES = ("f", "f n·l", "log f")  # of the value lobe_scale
+CHANNELS = ((0.86, 0.20, 0.18), (0.20, 0.66, 0.25), (0.25, 0.42, 0.95))
+LEAST = 1e-3  # how far above the horizon the rim of a lobe is looked at
+
+
+@dataclass(frozen=True)
+class Lit:
+    """A model at present values, in one channel of colour."""
+
+    model: Model
+    values: dict
+    over: str  # the direction that is swept: v or l
+    channel: int | None = None
+
+    @property
+    def still(self) -> np.ndarray:
+        """The other direction."""
+        v = self.values
+        return light_direction(v["theta_l"], v["phi"]) if self.over == "v" else view_direction(v["theta_v"])
+
+    @property
+    def picked(self) -> np.ndarray:
+        """The swept direction at the present values."""
+        v = self.values
+        return view_direction(v["theta_v"]) if self.over == "v" else light_direction(v["theta_l"], v["phi"])
+
+    def __call__(self, swept: np.ndarray) -> np.ndarray:
+        """Values (...) over directions (..., 3); times n.l where the step asks for it."""
+        l, v = (self.still, swept) if self.over == "v" else (swept, self.still)
+        values = self.values if self.channel is None else {**self.values, "channel": self.channel}
+        with np.errstate(all="ignore"):  # what is not finite is counted and shown
+            found = evaluate(self.model.term, values, n=NORMAL, l=l, v=v, radiance=1.0)
+        found = np.broadcast_to(np.asarray(found, float), swept.shape[:-1])
+        times = self.values.get("lobe_scale", 0) == 1 and not self.model.is_shading
+        return found * np.maximum(l[..., 2], 0) if times else found
+
+    @property
+    def number(self) -> float:
+        """At the picked direction: what a readout of the same twin says."""
+        return float(self(self.picked[None])[0])
+
+    @property
+    def unit(self) -> str:
+        return "" if self.model.is_shading or self.values.get("lobe_scale", 0) == 1 else " /sr"
+
+    def colour(self, look: Look) -> Rgb:
+        return look.colour(self.model.colour) if self.channel is None else CHANNELS[self.channel]
+
+    @property
+    def label(self) -> str:
+        return self.model.label + ("" if self.channel is None else f", {('red', 'green', 'blue')[self.channel]}")
+
+    @property
+    def key(self) -> tuple:
+        """Changes when the lobe does."""
+        args = bound(self.model.term, {**self.values, "channel": self.channel}, n=0, l=0, v=0, radiance=0)
+        scale = self.values.get("lobe_scale", 0)
+        return self.channel, self.over, scale, tuple(self.still), tuple(map(str, args.items()))
+
+    def peak(self) -> tuple[np.ndarray, float]:
+        """The direction of the largest value, a little above the horizon, and how wide (rad) the lobe is there."""
+        still = self.still
+        turned = np.arctan2(still[1], still[0])
+        looks = [grid(pole, np.array([np.arccos(min(still[2], 1.0))]), 2e-4, (24, 16))[1][0]
+                 for pole in ("mirror", "halfway", "eye")]
+        c, s = np.cos(turned), np.sin(turned)
+        tried = np.concatenate([NORMAL[None], still[None] * (-1, -1, 1), still[None],
+                                np.concatenate(looks) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])])
+        found = np.nan_to_num(self(tried), nan=0, posinf=0, neginf=0)
+        found[tried[:, 2] < LEAST] = 0
+        best = tried[int(np.argmax(found))]
+        pole = best * (1, 1, 0) + NORMAL * max(best[2], 0.03)
+        pole = pole / np.linalg.norm(pole)
+        away = np.geomspace(1e-5, 1.0, 41)
+        across, along = frame(best)
+        ways = np.stack([across, -across, along, -along])[:, None]
+        near = self(best * np.cos(away)[:, None] + ways * np.sin(away)[:, None])
+        low = np.nan_to_num(near) < 0.5 * found.max()
+        first = np.where(low.any(-1), np.argmax(low, -1), len(away) - 1)
+        width = float(away[first.min()])
+        return (best, width) if best[2] >= 0.03 or width < 0.05 else (pole, max(width, float(apart(best, pole))))
+
+    def lobe(self, rows: int, columns: int) -> tuple[np.ndarray, np.ndarray]:
+        """Directions (rows + 1, columns + 1, 3) from the peak to the horizon, and the values there."""
+        pole, width = self.peak()
+        t, s = np.meshgrid(np.linspace(0, 1, rows + 1), np.linspace(0, 1, columns + 1), indexing="ij")
+        d = around(pole, s, t, min(width, 3.0) if width < 0.4 else 10.0)[0]
+        d = np.concatenate([d[..., :2], np.maximum(d[..., 2:], LEAST)], -1)
+        return d, self(d)
+
+
+def lit(models: tuple[Model, ...], values: dict, over: str) -> list[Lit]:
+    """The models, one of colour once for each channel, unless the step has chosen a channel."""
+    found = []
+    for model in models:
+        free = "channel" in arguments(model.term.function) and model.term.args.get("channel", "channel") == "channel"
+        channels = (int(values["channel"]),) if free and "channel" in values else (0, 1, 2) if free else (None,)
+        found += [Lit(model, values, over, channel) for channel in channels]
+    return found
+
+
+class Legend:
+    """A strip with a square, the name and the number of each model at the picked direction; its height is fixed."""
+
+    def __init__(self, look: Look, models: list[Lit]):
+        self.look, letters = look, font(look, look.small)
+        self.swatch, self.gap, self.high = round(0.9 * look.small), round(0.5 * look.small), round(1.32 * look.small)
+        self.wide = self.swatch + 3 * self.gap + max(
+            (letters.getlength(one.label + "  0.000e-00 /sr") for one in models), default=0)
+        self.columns = max(1, min(len(models), int((look.size[0] - 2 * self.gap) // self.wide)))
+        self.rows = -(-len(models) // self.columns)
+
+    def strip(self, models: list[Lit], note: str) -> np.ndarray:
+        look, letters = self.look, font(self.look, self.look.small)
+        picture = Image.new("RGB", (look.size[0], (self.rows + 1) * self.high + self.gap), bytes3(look.background))
+        draw = ImageDraw.Draw(picture)
+        draw.text((look.size[0] / 2, 0.5 * self.high), note, bytes3(look.quiet), letters, anchor="mm")
+        wide = (look.size[0] - 2 * self.gap) / self.columns
+        for i, one in enumerate(models):
+            x, y = 2 * self.gap + (i % self.columns) * wide, (1.5 + i // self.columns) * self.high
+            half = self.swatch / 2
+            draw.rounded_rectangle((x, y - half, x + 2 * half, y + half), half / 2, bytes3(one.colour(look)))
+            x += self.swatch + self.gap
+            draw.text((x, y), one.label, bytes3(look.foreground), letters, anchor="lm")
+            draw.text((x + letters.getlength(one.label + "  "), y), three(one.number) + one.unit,
+                      bytes3(look.foreground), letters, anchor="lm", stroke_width=0)
+        return np.asarray(picture)
+
+
+def dot(look: Look) -> float:
+    """px across of the mark of the picked direction."""
+    return 1.7 * dot_size(look)
