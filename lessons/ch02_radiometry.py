@@ -877,14 +877,16 @@ vec4 probe(int i) {
     ),
     notes="""
 Show "local" first and ask what is odd: most see the ball float before they miss the shadow. Then ask what colour a shadow
-has. Our second renderer, pyrender, is a shader too: it draws the first picture, and a test holds the two together. The
-other two were checked by following random rays. "Two times" is the usual guess for the white room. Why
+has. Our second renderer, pyrender, is a shader too: it draws the first picture, and with a spot light and its shadow map
+the second; tests compare both with ours, pixel by pixel. What the wall sends it cannot draw at all; that was checked by
+following random rays. "Two times" is the usual guess for the white room. Why
 then teach local shading? Because every other kind calls it at each bounce. 6 minutes.
 """,
     sources=("Deck, slide Local Shading Models", "Wallace, Elmquist & Haines 1989: a cell as a disk",
              "Ulbricht 1900: the integrating sphere, 1/(1 - ρ)"),
     honesty="Lamp and shadow are exact for a point lamp. The wall's light: one reflection, the wall as 100 disks, within 2 % "
-            "of the local value from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. Colours pass a film curve.",
+            "of the local value from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. The second renderer has shadow maps for spot lights, none for points, and no "
+            "inter-reflection. Colours pass a film curve.",
     values=(Value("sees", 2, choices=("local", "with shadows", "with the wall's light")), Value("rho", 0.8),
             Value("from_wall", 0.75, low=0.2), Value("along_wall", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
             Value("radiant_intensity", 20.0, low=1.0, high=100.0, more=True)),

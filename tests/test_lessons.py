@@ -162,6 +162,8 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
 TWO_METRES = {"radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
               "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
 SWAP = {"model": 0, "phi": 2.5, "k_d": 0.0, "k_s": 1.0, "exponent": 20.0}
+TWO_METRES = {"light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5,
+              "panel_width": 2.0, "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
 QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
     ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
      {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
@@ -210,15 +212,18 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"radiant_intensity": 100.0, "hotspot": math.radians(20), "falloff": math.radians(30)}),
     ("lights/spot", "15.5 W: a quarter", 15.5, 0.05, "spot_flux",
      {"radiant_intensity": 100.0, "hotspot": math.radians(10), "falloff": math.radians(15)}),
-    ("lights/area_sampled", "gets 26 W/m²", 26, 0.5, "irradiance_panel", TWO_METRES),
-    ("lights/area_sampled", "160, six times too much", 160, 1e-9, "irradiance_panel_centre", TWO_METRES),
-    ("lights/area_sampled", "26 becomes 37 W/m²", 37, 0.5, "irradiance_panel_without_cosine",
+    ("lights/area_units", "31.8: each square metre", 31.8, 0.05, "light_radiance",
+     {"given": 0, "amount": 50.0, "light_shape": 0, "panel_width": 1.0, "panel_depth": 0.5}),
+    ("lights/area_sampled", "gets 26 W/m²", 26, 0.5, "irradiance_light", TWO_METRES),
+    ("lights/area_sampled", "160, six times too much", 160, 1e-9, "irradiance_light_sampled",
+     TWO_METRES | {"sampling": 0, "level": 0, "seed": 0}),
+    ("lights/area_sampled", "26 becomes 37 W/m²", 37, 0.5, "irradiance_light_without_cosine",
      TWO_METRES | {"level": 6}),
     ("lights/area_exact", "gives 0.79 W/m²", 0.79, 0.005, "irradiance_sphere_light",
      {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": 0.0}),
     ("lights/area_exact", "0.091", 0.091, 5e-4, "irradiance_sphere_light",
      {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
-    ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
+    ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_light_sampled",
      TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
     ("brdfs/phong", "2.23: more than twice", 2.23, 0.005, "highlight_flux",
      {"model": 0, "theta_l": math.radians(85), "k_d": 0.0, "k_s": 1.0, "exponent": 5.0}),

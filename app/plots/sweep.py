@@ -104,7 +104,7 @@ class Sweep:
         high = math.ceil(math.log10(seen.max()))
         low = math.floor(math.log10(seen.min()))
         if self.plot.error:
-            low, high = round(math.log10(self.floor)), max(0, high)
+            low, high = max(round(math.log10(self.floor)), low), max(0, high)
         return Axis(10.0 ** max(low, -300), 10.0 ** min(max(high, low + 1), 300), log=True)
 
 

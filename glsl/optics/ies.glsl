@@ -81,6 +81,11 @@ float ies_peak(sampler2D table) {
     return texelFetch(table, ivec2(4, 0), 0).x;
 }
 
+float ies_lumens(sampler2D table) {
+    // optics reference 7.8: the integrated flux, summed once when the table is made
+    return texelFetch(table, ivec2(5, 0), 0).x;
+}
+
 vec3 ies_solid(sampler2D table, float s, float t) {
     // IES Lights: in each direction as far out as the intensity, the peak being 1
     float theta = PI * t, phi = 2.0 * PI * (s > 0.5 ? s - 1.0 : s);
@@ -101,7 +106,7 @@ float ies_plane(sampler2D table, float theta, float plane) {
 float ies_as_spot(sampler2D table, float off_axis, float hotspot, float falloff) {
     // IES Lights, Spotlights: the measured intensity as a share of that of a spot of the same flux
     float inner = sin(0.5 * min(hotspot, falloff)), outer = sin(0.5 * falloff);
-    return ies_candela(table, off_axis, 0.0) * (2.0 * PI * (inner * inner + outer * outer) / ies_flux(table));
+    return ies_candela(table, off_axis, 0.0) * (2.0 * PI * (inner * inner + outer * outer) / ies_lumens(table));
 }
 
 float ies_towards(sampler2D table, vec3 way, float turn, float aim) {
