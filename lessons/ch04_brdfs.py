@@ -158,7 +158,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-90, elevation=3, distance=10.8, target=(0.2, 0.0, 0.75), field_of_view=24),
     ),
     plot=Curves(
-        title="The patch's balance by the angle of the light", sweep="theta_l",
+        title="By the angle of the light", sweep="theta_l",
         curves=(Curve("arrives", Term("irradiance_directional", {"theta": "theta_l"})),
                 Curve("leaves", Term("exitance_leaving"), role="estimate"),
                 Curve("reflected alone", Term("exitance_reflected"), role="printed")),
@@ -279,7 +279,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-42, elevation=16, distance=5.2, target=(0.05, 0.0, 0.5)),
     ),
     plot=Curves(
-        title="The sum against the number of rows", sweep="tile_rows",
+        title="The sum, by rows of tiles", sweep="tile_rows",
         curves=(Curve("the integral", Term("reflected_radiance", UNDER_SKY)),
                 Curve("sum over the tiles", Term("reflected_radiance_sum", UNDER_SKY), role="estimate")),
         y_label="L_o, W/(m² sr)",
@@ -528,7 +528,7 @@ vec4 probe(int i) {
     ),
     plot=(
         Curves(
-            title="The two integrals, by the angle of the eye", sweep="theta_v",
+            title="Two integrals of the lobe", sweep="theta_v",
             curves=(Curve("∫ f cos θ dω, must be ≤ 1", Term("hemisphere_meter", BROKEN | {"weight": 1})),
                     Curve("∫ f dω, as printed", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed")),
             y_label="over all directions of the light",
