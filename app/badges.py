@@ -24,9 +24,14 @@ from app.hemisphere import NORMAL
 from app.lesson import Model
 from app.optics import arguments
 from app.optics.spherical import direction
-from app.terms import evaluate
+from app.readouts import three
+from app.terms import bound, evaluate
 
 NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
+SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=True))  # where there is little room
+ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
+                         "Does it send on at most what comes, for every angle of the eye?",
+                         "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
 VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
@@ -42,8 +47,11 @@ class Badge:
     at: dict[str, float]  # rad: theta_l, theta_v, phi, or theta_v alone
 
 
-def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False) -> dict[str, Badge]:
-    """All badges of reflect(n, l, v), arrays (..., 3), unit; n is +z. Deterministic; about 0.1 s for a cheap one."""
+def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False, same: float = SAME
+          ) -> dict[str, Badge]:
+    """All badges of reflect(n, l, v), arrays (..., 3), unit; n is +z. Deterministic; about 0.1 s for a cheap one.
+
+    `same` is the relative difference of two ways that still counts as none: more than SAME for float32."""
 
     def f(n, l, v):
         with np.errstate(all="ignore"):
@@ -57,8 +65,9 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
     corner_l, corner_v = corners()
     corner = f(NORMAL, corner_l, corner_v)
     every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
-    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v), "energy": energy(f),
-            "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
+    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v, same),
+            "energy": energy(f), "finite": finite(*every),
+            "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
@@ -101,7 +110,7 @@ def non_negative(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
     return Badge(not least < 0, least if math.isfinite(least) else None, angles(l[i], v[i]))
 
 
-def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
+def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray, same: float) -> Badge:
     """The pair is looked for where something is reflected: a thousandth of the largest value weighs as much."""
     most, off = np.maximum(abs(value), abs(swapped)), abs(value - swapped)
     good = np.isfinite(most) & (l[:, 2] > SEEN) & (v[:, 2] > SEEN)
@@ -110,7 +119,7 @@ def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndar
     weighed = np.where(good, off, 0) / (np.where(good, most, 1) + 1e-3 * most[good].max())
     i = int(np.argmax(weighed))
     worst = float(off[i] / most[i]) if most[i] else 0.0
-    return Badge(bool(weighed[i] <= SAME), worst, angles(l[i], v[i]))
+    return Badge(bool(weighed[i] <= same), worst, angles(l[i], v[i]))
 
 
 def energy(f: Callable) -> Badge:
@@ -142,6 +151,36 @@ def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
     off = np.where(most > 0, np.ptp(share, 0) / np.where(most > 0, most, 1), 0)
     i = int(np.argmax(np.nan_to_num(off)))
     return Badge(bool(off[i] <= SAME), float(off[i]), angles(l[i], v[i]))
+
+
+def key(model: Model, values: dict) -> tuple:
+    """What a model's badges depend on: the twin and its arguments, without the directions."""
+    args = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0, radiance=0)
+    return model.term.function, tuple((name, str(value)) for name, value in args.items())
+
+
+def told(name: str, badge: Badge) -> str:
+    """A sentence for a person, with the worst value and its angles."""
+    worst, at = math.nan if badge.worst is None else badge.worst, place(badge)
+    if name == "non_negative":
+        return "It is nowhere negative." if badge.ok else f"It is negative: {three(worst)}{at}."
+    if name == "reciprocal":
+        return ("Light and eye can be swapped." if badge.ok else
+                f"Swap light and eye, and {100 * worst:.0f} % of it goes{at}.")
+    if name == "energy":
+        return (f"It sends on at most {three(worst)} of the light that comes{at}." if badge.ok else
+                f"It sends on {three(worst)} times the light that comes{at}.")
+    if name == "finite":
+        return "It is finite, also at grazing angles." if badge.ok else f"It is no number, or infinite{at}."
+    return ("Twice the light gives twice the answer." if badge.ok else
+            f"It is not in proportion to the light: off by {100 * worst:.0f} %{at}.")
+
+
+def place(badge: Badge) -> str:
+    """', at θ_l = 59°, θ_v = 88°, φ = 173°'."""
+    names = {"theta_l": "θ of the light", "theta_v": "θ of the eye", "phi": "φ"}
+    parts = [f"{names[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items()]
+    return f", at {', '.join(parts)}" if parts else ""
 
 
 def as_json(badges: dict[str, Badge]) -> dict[str, dict]:

@@ -6,6 +6,7 @@ import re
 from dataclasses import asdict, dataclass
 
 from app import shader
+from app.badges import as_json, of_model
 from app.catalog import LoadedStep, step
 from app.gpu.stage_text import Programs, programs, vertices
 from app.lesson import Scene
@@ -43,6 +44,7 @@ class Inspection:
     functions_left_out: tuple[str, ...]  # of the included files: nothing calls them
     left_out: tuple[str, ...]  # sentences
     faults: tuple[str, ...]  # what a test refuses
+    badges: dict[str, dict]  # of its models at these values: label -> badge -> ok, worst, at
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -74,7 +76,8 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
         {name: kind for one in passes for name, kind in one.attributes.items()},
         passes, vertices(scene, triangles(scene, values), values), table_sizes(scene, values), packages(found),
         ("window", "plot (pyvista and VTK, on its own)"),
-        tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts))
+        tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts),
+        {model.label: as_json(of_model(model, values)) for model in found.step.models})
 
 
 def one_pass(name: str, pair: tuple[shader.Assembled, shader.Assembled | None], scene: Scene) -> Pass:
@@ -172,6 +175,8 @@ def words(found: Inspection) -> str:
     lines += [f"vertices    {sum(found.vertices.values())}: {listed(f'{n} {v}' for n, v in found.vertices.items())}"]
     lines += [f"table       {name}: {rows} x {columns} numbers" for name, (rows, columns) in found.tables.items()]
     lines += [f"package     {name}: {why}" for name, why in found.packages.items()]
+    lines += [f"badges      {label}: {listed(name if one['ok'] else f'NOT {name}' for name, one in badges.items())}"
+              for label, badges in found.badges.items()]
     lines += [f"process     {listed(found.processes)}", "", "left out"]
     lines += [f"  {sentence}" for sentence in found.left_out]
     lines += [f"  not called: {listed(found.functions_left_out)}"] * bool(found.functions_left_out)

@@ -4,6 +4,7 @@ The window draws this and calls it; a test does the same. Every step keeps its v
 and its answer while others are looked at.
 """
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -158,6 +159,16 @@ class Session:
             raise Usage(f"there is no value {name} in {self.current.id}.{near(name, self.values)}")
         spec = self.current.values[name]
         self.change({**self.values, name: checked(value, spec, f"{self.current.id}: {name}")}, self.view)
+
+    def stand(self, at: dict[str, float]) -> None:
+        """The angles (rad) that the step has become these, or as near as their ranges allow."""
+        new = dict(self.values)
+        for name in at.keys() & self.current.values.keys():
+            spec, angle = self.current.values[name], at[name]
+            same = (angle, angle + math.tau, angle - math.tau, -angle) if name == "phi" else (angle,)
+            fits = [x for x in same if spec.low <= x <= spec.high]
+            new[name] = fits[0] if fits else min(max(angle, spec.low), spec.high)
+        self.change(new, self.view)
 
     def apply(self, target: str) -> None:
         """A link of the prose: `?tilt=80&distance=1` sets values here, `solid_angle/cone?half_angle=1` goes there."""

@@ -22,6 +22,7 @@ PARAMETER = re.compile(r"(?:(?:const|in|out|inout|highp|mediump|lowp)\s+)*(\w+)\
                        r"(\w+)\s*(?:\[\s*(\w+)\s*\])?")
 WORD = re.compile(r"[A-Za-z_]\w*")
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
+ALWAYS = "#"  # what #if, #else and #endif count as: they are never left out
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 
 
@@ -131,7 +132,8 @@ def blocks(lines: list[Line]) -> list[Block]:
         if depth < 0:
             raise Problem(f"{line.file}, line {line.number}: a }} that closes nothing.")
         whole = code.rstrip()
-        if depth == 0 and (whole.endswith((";", "}")) or whole.startswith("#")):
+        directive = whole.lstrip().startswith("#") or (bool(open_lines[:-1]) and open_lines[-2].text.endswith("\\"))
+        if depth == 0 and (whole.endswith((";", "}")) or directive) and not whole.endswith("\\"):
             found.append(block(open_lines))
             open_lines = []
     if depth and brace:
@@ -160,7 +162,8 @@ def block(lines: list[Line]) -> Block:
         behind = WORD.findall(code.rpartition("}")[2])
         return Block(tuple(lines), frozenset([*WORD.findall(code)[1:2], *behind]), words, False)
     if code.startswith("#"):
-        return Block(tuple(lines), frozenset(WORD.findall(code)[1:2]), words, False)
+        names = WORD.findall(code)[1:2] if code[1:].lstrip().startswith("define") else [ALWAYS]
+        return Block(tuple(lines), frozenset(names), words, False)
     return Block(tuple(lines), declared(code), words, False)
 
 
@@ -180,7 +183,7 @@ def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = 
              entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
     """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
     parts = blocks(resolve(text, file, first, overrides))
-    wanted, queue = set(entry), list(entry)
+    wanted, queue = {*entry, ALWAYS}, [*entry, ALWAYS]
     by_name: dict[str, list[Block]] = {}
     for part in parts:
         for name in part.names:

@@ -100,9 +100,9 @@ vec4 probe(int i) {
 """,
         surfaces=(
             Surface("sector", cells=(64, 1)),
-            Surface("cap", cells=(96, 32)),
-            Surface("cone", cells=(96, 1), opacity=0.35),
-            Surface("sphere", cells=(64, 32), opacity=0.16),
+            Surface("cap", cells=(64, 16)),
+            Surface("cone", cells=(64, 1), opacity=0.35),
+            Surface("sphere", cells=(48, 24), opacity=0.16),
         ),
         marks=(
             Mark("circle", colour="quiet", segments=96),
@@ -232,8 +232,8 @@ half and more, and nothing warns you.
         glsl=PATCH_GLSL,
         surfaces=(
             Surface("patch", cells=(8, 8)),
-            Surface("shadow", cells=(32, 32)),
-            Surface("sphere", cells=(64, 32), opacity=0.14),
+            Surface("shadow", cells=(24, 24)),
+            Surface("sphere", cells=(48, 24), opacity=0.14),
         ),
         marks=(
             *(Mark(f"ray {i}", colour="quiet", line="dashed", width=0.8) for i in range(4)),
@@ -358,11 +358,11 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(
-            Surface("cap", cells=(96, 24)),
-            Surface("cone", cells=(96, 1), opacity=0.45),
+            Surface("cap", cells=(64, 12)),
+            Surface("cone", cells=(64, 1), opacity=0.45),
             Surface("lens: stable", cells=(48, 1)),
             Surface("lens: as printed", cells=(48, 1)),
-            Surface("sphere", cells=(64, 32), opacity=0.14),
+            Surface("sphere", cells=(48, 24), opacity=0.14),
         ),
         marks=(
             Mark("lens rim", colour="quiet", segments=96),
@@ -476,7 +476,7 @@ vec4 probe(int i) {
     return vec4(cell_point(vec2(0.5), 1.07), 1.0);
 }
 """,
-        surfaces=(Surface("sphere", cells=(96, 64)), Surface("cell", cells=(16, 16))),
+        surfaces=(Surface("sphere", cells=(48, 32)), Surface("cell", cells=(16, 16))),
         marks=(
             Mark("axis", colour="n", tip="arrow", label="n"),
             Mark("height", colour="exact", segments=12, width=1.6, label="dθ", label_at=0.5),
@@ -602,10 +602,10 @@ Bring the patch [overhead](?theta=0), [half way down](?theta=60), [to the horizo
         glsl=PROJECTED_GLSL,
         surfaces=(
             Surface("patch", cells=(8, 8)),
-            Surface("shadow on the dome", cells=(32, 32)),
-            Surface("shadow on the disk", cells=(32, 32)),
-            Surface("base disk", cells=(96, 6)),
-            Surface("dome", cells=(64, 24), opacity=0.14),
+            Surface("shadow on the dome", cells=(24, 24)),
+            Surface("shadow on the disk", cells=(24, 24)),
+            Surface("base disk", cells=(48, 6)),
+            Surface("dome", cells=(48, 12), opacity=0.14),
         ),
         marks=(
             *(Mark(f"ray {i}", colour="quiet", line="dashed", width=0.8) for i in range(4)),

@@ -122,9 +122,9 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(
-            Surface("flash", cells=(32, 16)), Surface("bulb", cells=(32, 16)), Surface("flash's energy", cells=(48, 2)),
-            Surface("bulb's energy", cells=(48, 2)), Surface("flash's tank", cells=(48, 10), opacity=0.22),
-            Surface("bulb's tank", cells=(48, 10), opacity=0.22),
+            Surface("flash", cells=(24, 12)), Surface("bulb", cells=(24, 12)), Surface("flash's energy", cells=(48, 2)),
+            Surface("bulb's energy", cells=(48, 2)), Surface("flash's tank", cells=(48, 2), opacity=0.22),
+            Surface("bulb's tank", cells=(48, 2), opacity=0.22),
         ),
         marks=(Mark("to the flash's tank", colour="quiet", line="dotted"),
                Mark("to the bulb's tank", colour="quiet", line="dotted")),
@@ -228,8 +228,8 @@ vec4 probe(int i) {
     return vec4(0.62, 0.0, -0.12, 1.0);
 }
 """,
-        surfaces=(Surface("lamp", cells=(48, 1)), Surface("cap", cells=(96, 24)),
-                  Surface("cone", cells=(96, 1), opacity=0.35), Surface("balloon", cells=(64, 24), opacity=0.2)),
+        surfaces=(Surface("lamp", cells=(48, 1)), Surface("cap", cells=(64, 12)),
+                  Surface("cone", cells=(64, 1), opacity=0.35), Surface("balloon", cells=(48, 12), opacity=0.2)),
         marks=(Mark("axis", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
                *(Mark(f"ray {i}", colour="l", tip="arrow", width=0.8) for i in (-3, -2, -1, 0, 1, 2, 3))),
         labels=(Label("the lamp", 2),), handles=(Handle("the cone's rim", 0, ("half_angle",)), Handle("the cap", 1, ("distance",))),
@@ -474,10 +474,10 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(
-            Surface("dome left", cells=(64, 24), opacity=0.14), Surface("dome right", cells=(64, 24), opacity=0.14),
-            Surface("floor left", cells=(64, 6)), Surface("floor right", cells=(64, 6)),
+            Surface("dome left", cells=(48, 12), opacity=0.14), Surface("dome right", cells=(48, 12), opacity=0.14),
+            Surface("floor left", cells=(48, 6)), Surface("floor right", cells=(48, 6)),
             Surface("patch left", cells=(1, 1)), Surface("patch right", cells=(1, 1)),
-            Surface("sky", cells=(96, 48)), Surface("sky with cosine", cells=(96, 48)),
+            Surface("sky", cells=(48, 12)), Surface("sky with cosine", cells=(48, 12)),
         ),
         marks=(
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("normal right", colour="n", tip="arrow"),
@@ -595,8 +595,8 @@ vec4 probe(int i) {
     return vec4(i == 2 ? -2.05 : i == 3 ? 1.98 : 2.5, -0.3, -0.14, 1.0);
 }
 """,
-        surfaces=(Surface("radiance", cells=(96, 24), opacity=0.32),
-                  Surface("flux by direction", cells=(64, 32), opacity=0.85), Surface("patch", cells=(1, 1)),
+        surfaces=(Surface("radiance", cells=(48, 12), opacity=0.32),
+                  Surface("flux by direction", cells=(48, 16), opacity=0.85), Surface("patch", cells=(1, 1)),
                   Surface("E", cells=(1, 1)), Surface("B", cells=(1, 1)), Surface("kept", cells=(1, 1))),
         marks=(*(Mark(f"light {i}", colour="l", tip="arrow", width=0.9) for i in range(5)),
                Mark("to the eye", colour="v", tip="eye", width=1.4), Mark("normal", colour="n", tip="arrow", label="n"),
@@ -712,7 +712,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("screen of the point", cells=(2, 2)), Surface("screen of the sphere", cells=(2, 2)),
                   Surface("screen of the disk", cells=(2, 2)), Surface("point", cells=(24, 12)),
-                  Surface("sphere", cells=(48, 24)), Surface("disk", cells=(64, 1))),
+                  Surface("sphere", cells=(32, 16)), Surface("disk", cells=(64, 1))),
         marks=(Mark("r of the point", colour="l", line="dashed"), Mark("r of the sphere", colour="l", line="dashed"),
                Mark("r of the disk", colour="l", line="dashed", label="r", label_at=0.55),
                *(Mark(f"edge {k}", colour="quiet", line="dotted", width=0.8) for k in range(3))),
@@ -833,7 +833,7 @@ vec4 probe(int i) {
     return vec4(0.02, 0.72, 1.86, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("ball", cells=(64, 32))),
+        surfaces=(Surface("floor", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("ball", cells=(32, 16))),
         marks=(Mark("to the lamp", colour="l", line="dashed", width=0.9),
                Mark("from the wall", colour="r", line="dotted", tip="arrow"),
                Mark("to the wall", colour="r", line="dotted"), Mark("lamp", colour="l", tip="sun", width=2.0),
@@ -950,7 +950,7 @@ vec4 probe(int i) {
     return vec4(-0.62 * radius, -0.62 * radius, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("table", cells=(96, 24)), Surface("bulb", cells=(32, 16)), Surface("paper", cells=(1, 1)),
+        surfaces=(Surface("table", cells=(64, 12)), Surface("bulb", cells=(24, 12)), Surface("paper", cells=(1, 1)),
                   Surface("what the table gets", cells=(96, 1), opacity=0.13)),
         marks=(Mark("distance", colour="l", line="dashed", label="r", label_at=0.45),
                Mark("rim", colour="exact", segments=96),

@@ -92,7 +92,7 @@ vec4 probe(int i) {
     return vec4(1.5, -2.6, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("lamp", cells=(64, 32))),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("lamp", cells=(32, 16))),
         marks=tuple(Mark(f"intensity {i}", colour="l", tip="arrow", width=0.9) for i in range(12)),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the lamp's rim", 0, ("radius",)), Handle("the lamp", 1, ("light_height",))),
@@ -1068,7 +1068,7 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("floor: panel", cells=(2, 2)), Surface("floor: disk", cells=(2, 2)),
                   Surface("floor: sphere", cells=(2, 2)), Surface("panel", cells=(2, 2), opacity=0.85),
-                  Surface("disk", cells=(64, 1), opacity=0.85), Surface("sphere", cells=(64, 32), opacity=0.85),
+                  Surface("disk", cells=(64, 1), opacity=0.85), Surface("sphere", cells=(32, 16), opacity=0.85),
                   Surface("scale", cells=(2, 1))),
         marks=tuple(Mark(f"plumb line {name}", colour="quiet", line="dotted", tip="dot", width=0.8)
                     for name in ("panel", "disk", "sphere")),

@@ -89,6 +89,17 @@ def write(folder: Path, *changes: tuple[str, str], name: str = "ch01_small.py") 
     return lessons
 
 
+def model_lesson(folder: Path) -> Path:
+    """The lesson with two models and two plots in its first step."""
+    curves = 'Curves("Cone", "half_angle", (Curve("cone", Term("solid_angle_cone")),), "sr")'
+    models = '''    models=(
+        Model("printed", Term("shading_phong"), "printed"), Model("Phong", Term("brdf_phong"), "d")),
+    values=(Value("theta_l", 40.0), Value("theta_v", 30.0), Value("phi", 180.0, low=0.0), Value("exponent", 40.0),
+            Value("half_angle"'''
+    return write(folder, ('    values=(Value("half_angle"', models),
+                 (f"    plot={curves},", f'    plot=(Lobes("Two lobes"),\n          {curves}),'))
+
+
 def line(lessons: Path, words: str, name: str = "ch01_small.py") -> int:
     """The number of the first line with these words."""
     lines = (lessons / name).read_text(encoding="utf-8").splitlines()

@@ -6,10 +6,17 @@ import math
 import numpy as np
 import pytest
 
-from app import badges, furnace
-from app.badges import NAMES, check
+from app import badges, catalog, furnace
+from app.badges import NAMES, check, told
+from app.export.still import still
+from app.inspection import inspect, words
 from app.lesson import Model, Term
 from app.optics.lambert import brdf_lambert
+from app.problem import Usage
+from app.session import Session
+from app.state import defaults
+from app.theme import THEMES, colour
+from tests.small_lesson import model_lesson
 
 PI = np.pi
 
@@ -172,3 +179,64 @@ def test_a_step_s_model_takes_its_arguments_from_the_values():
     model = Model("matt", Term("brdf_lambert", {"rho": "k_d"}))
     assert badges.of_model(model, {"k_d": 0.9, "theta_v": 0.3})["energy"].worst == pytest.approx(0.9, abs=1e-6)
     assert not badges.of_model(model, {"k_d": 1.5})["energy"].ok
+
+
+TWINS = {  # the course's own: arguments, and what is red with its worst value; closed forms where there is one
+    "brdf_lambert": ({"rho": 1.0}, {}),
+    "brdf_phong": ({"exponent": 40.0}, {}),
+    "shading_phong": ({"exponent": 40.0}, {"reciprocal": None, "energy": 0.5 * PI + 0.5 * 2 * PI / 41}),
+    "brdf_phong_printed": ({"exponent": 1e5}, {"reciprocal": None, "energy": 0.5 * PI}),
+    "brdf_blinn_phong": ({"exponent": 1e7}, {}),
+    "shading_blinn_phong": ({"exponent": 10.0}, {"reciprocal": None, "energy": 0.5 * PI + 4 * PI * (1 - 2**-6) / 12}),
+    "brdf_cook_torrance": ({"m": 1e-4}, {}),
+    "brdf_cook_torrance_printed": ({"m": 0.1}, {"energy": 4 / PI}),
+    "brdf_ggx": ({"alpha": 0.5}, {}),
+    "brdf_eon": ({"rho": 1.0, "roughness": 1.0}, {}),
+    "brdf_oren_nayar": ({"rho": 1.0}, {"energy": 1 - 0.09 / (2 * 0.09 + 0.66) + 0.5 * 0.45 * 0.09 / (0.09 + 0.09)}),
+}
+ORDINARY = {"k_d": 0.5, "k_s": 0.5, "f0": 1.0, "rho": 0.8, "sigma": 0.3}
+
+
+@pytest.mark.parametrize("function", TWINS)
+def test_the_course_s_models_are_what_the_lessons_say(function):
+    args, red = TWINS[function]
+    found = badges.of_model(Model(function, Term(function)), ORDINARY | args)
+    assert {name for name in NAMES if not found[name].ok} == set(red)
+    if red.get("energy"):
+        assert found["energy"].worst == pytest.approx(red["energy"], abs=2e-3)
+
+
+def test_what_a_badge_tells():
+    found = check(TABLE["Phong, 1977, broad"][0], shading=True)
+    assert told("energy", found["energy"]) == "It sends on 6.28 times the light that comes, at θ of the eye 0°."
+    assert told("reciprocal", found["reciprocal"]).startswith("Swap light and eye, and 9")
+    assert told("linear", found["linear"]) == "Twice the light gives twice the answer."
+    broken = check(TABLE["divided by n.v"][0])
+    assert told("finite", broken["finite"]).startswith("It is no number, or infinite, at θ of the light")
+    assert told("non_negative", broken["non_negative"]).startswith("It is negative")
+
+
+def test_a_step_stands_where_a_badge_points(tmp_path):
+    """Angles it has, within their ranges; the mirror image where the azimuth allows only that."""
+    session = Session("small/open", folder=model_lesson(tmp_path))
+    session.stand({"theta_l": 1.1, "theta_v": 1.5, "phi": -2.0})
+    assert {n: session.values[n] for n in ("theta_l", "theta_v", "phi")} == {"theta_l": 1.1, "theta_v": 1.5, "phi": 2.0}
+    session.stand({"theta_v": 3.0})
+    assert session.values["theta_v"] == PI / 2
+    session.undo()
+    assert session.values["theta_v"] == 1.5
+    session.freeze()
+    with pytest.raises(Usage):
+        session.stand({"theta_v": 0.0})
+
+
+def test_inspect_and_stills_have_the_badges(tmp_path, ctx):
+    folder = model_lesson(tmp_path)
+    found = catalog.step("small/open", folder)
+    inspected = inspect(found)
+    assert [name for name, one in inspected.badges["printed"].items() if not one["ok"]] == ["reciprocal", "energy"]
+    assert "NOT reciprocal" in words(inspected)
+    picture = np.asarray(still(found, defaults(found), None, (1280, 720)))
+    for name in ("v", "r"):
+        wanted = np.round(255 * np.array(colour(name, THEMES["dark"])))
+        assert (np.abs(picture[550:].astype(int) - wanted).max(-1) <= 3).sum() > 100, name

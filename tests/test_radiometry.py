@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import dblquad, quad
 
+from app.gpu.evaluate import evaluate
 from app.optics import twin
 from app.optics.photometry import C_1, C_2, K_CD, K_M, STEFAN, V_LAMBDA, WIEN
 from app.quantities import TABLE
@@ -181,6 +182,15 @@ def test_srgb_goes_there_and_back():
     back = twin("srgb_to_linear")(twin("linear_to_srgb")(x))
     assert np.allclose(back, x, rtol=2e-6, atol=0)  # at the joint the standard's two pieces differ
     assert np.all(np.diff(twin("linear_to_srgb")(x)) > 0)
+
+
+def test_the_pictures_srgb_needs_no_power():
+    """glsl/display takes a cubic in the fourth root: less than a tenth of a step of 8 bits from the twin."""
+    x = np.concatenate([np.linspace(0, 1, 20001), np.geomspace(1e-6, 1, 5000), [0.0031308, 0.00313081]])
+    text = '#include "display/srgb.glsl"\nfloat shown(float x) { return srgb_from_linear(vec3(x)).y; }'
+    shown = evaluate("shown", {"x": x}, text)
+    assert np.max(np.abs(255 * (shown - twin("linear_to_srgb")(x)))) < 0.06
+    assert shown[0] == 0 and abs(shown[20000] - 1) < 3e-4
 
 
 # --- what local shading leaves out -----------------------------------------------------------------------------------

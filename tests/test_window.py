@@ -8,8 +8,10 @@ import pytest
 from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
+from app.gpu.stage import Faults
 from app.theme import THEMES
 from app.viewer import style, text_panel
+from tests.small_lesson import model_lesson
 from tests.window import drive, frames, on_gl, until
 
 
@@ -248,16 +250,16 @@ def test_a_link_of_the_prose_sets_the_scene():
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
-def test_every_step_shows_in_every_theme(size):
+@pytest.mark.parametrize("theme", THEMES)
+def test_every_step_shows_in_every_theme(theme, size):
     def test(engine, window):
+        window.set_theme(theme)
         for number in range(len(window.session.steps)):
-            for name in THEMES:
-                window.set_theme(name)
-                frames(engine, 3)
-                assert not window.fault and not window.scene.faults, window.session.current.id
-                for column in ("Text", "Scene", "Plot"):
-                    inside = on_gl(engine, window, lambda name=column: imgui.internal.find_window_by_name(name))
-                    assert inside.content_size.x <= inside.size.x, (window.session.current.id, name, column)
+            frames(engine, 3)
+            assert not window.fault and window.scene.faults == Faults(), window.session.current.id
+            for column in ("Text", "Scene", "Plot"):
+                inside = on_gl(engine, window, lambda name=column: imgui.internal.find_window_by_name(name))
+                assert inside.content_size.x <= inside.size.x, (window.session.current.id, column)
             if size == (1280, 720):
                 until(engine, window, lambda: window.plot.of == window.session.current.id)
                 assert not window.plot.fault
@@ -340,3 +342,35 @@ def test_an_absolute_luminaire_declares_nothing(tmp_path):
         assert shown["declared"].text == "none: absolute" and not shown["declared"].error_text
 
     drive(test)
+
+
+def test_badges_come_by_themselves_and_a_click_goes_where_they_point(tmp_path):
+    def test(engine, window):
+        until(engine, window, lambda: len(window.badges.known) == 2)
+        frames(engine)
+        red = window.badges.last["small/open", "printed"]["reciprocal"]
+        assert not red.ok
+        engine.item_click("//Plot/badges/printedreciprocal")
+        frames(engine)
+        assert window.session.values["theta_v"] == red.at["theta_v"]
+        engine.item_input_value("//Scene/##exponent", 5.0)
+        until(engine, window, lambda: len(window.badges.known) == 4)
+        engine.key_press(imgui.Key.f)  # frozen: they would tell
+        before = dict(window.session.values)
+        engine.item_click("//Plot/badges/printedenergy")
+        frames(engine)
+        assert window.session.values == before
+
+    drive(test, start="small/open", folder=model_lesson(tmp_path))
+
+
+def test_a_step_s_plots_have_tabs_and_a_key(tmp_path):
+    def test(engine, window):
+        until(engine, window, lambda: window.plot.showing is not None)
+        assert window.plot.showing.title == "Two lobes"
+        engine.item_click("//Plot/curves##plot1")
+        until(engine, window, lambda: window.plot.showing.title == "Cone")
+        engine.key_press(imgui.Key.p)
+        until(engine, window, lambda: window.plot.showing.title == "Two lobes")
+
+    drive(test, start="small/open", folder=model_lesson(tmp_path))

@@ -107,3 +107,20 @@ def square(draw: ImageDraw.ImageDraw, at: tuple[float, float], side: float, ink:
     """A sample of a surface; `at` is the middle of its left side."""
     x, y = at
     draw.rounded_rectangle((x, y - side / 2, x + side, y + side / 2), side / 5, ink)
+
+
+def badge(picture: Image.Image, at: tuple[float, float], side: float, ok: bool, ink: Ink) -> None:
+    """A round one with a tick, a square one with a cross; `at` is the middle of its left side."""
+    big = Image.new("RGBA", (FINE * round(side),) * 2, (0, 0, 0, 0))
+    draw, n = ImageDraw.Draw(big), big.width
+    ground = (*ink.colour("v" if ok else "r"), 255)
+    if ok:
+        draw.ellipse((0, 0, n - 1, n - 1), ground)
+        strokes = [[(0.27, 0.52), (0.45, 0.70)], [(0.42, 0.70), (0.75, 0.32)]]
+    else:
+        draw.rounded_rectangle((0.04 * n, 0.04 * n, 0.96 * n, 0.96 * n), 0.1 * n, ground)
+        strokes = [[(0.3, 0.3), (0.7, 0.7)], [(0.3, 0.7), (0.7, 0.3)]]
+    for stroke in strokes:
+        draw.line([(n * x, n * y) for x, y in stroke], (255, 255, 255, 255), round(0.13 * n))
+    small = big.resize((round(side), round(side)), Image.Resampling.BOX)
+    picture.paste(small, (round(at[0]), round(at[1] - side / 2)), small)

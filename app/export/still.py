@@ -10,12 +10,13 @@ import numpy as np
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
+from app.badges import of_model
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
 from app.export.ink import Ink, bytes3
 from app.export.labels import COARSE, Clutter, draw_words, place, words
-from app.export.strip import strip
+from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
@@ -98,8 +99,9 @@ def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple
           theme: Theme = THEMES["dark"], part: Part = "scene", plot: int = 0) -> Image.Image:
     """The scene, a plot, or both side by side, above a strip with title, state and numbers; exactly `size`."""
     ink = Ink(theme, size)
-    below = strip(size[0], 0.34 * size[1], found.step.title, write(found, values, view),
-                  numbers(found.step, values, context()), ink)
+    told: list[Block] = [*numbers(found.step, values, context())]
+    told += [Judged(model.label, model.colour, of_model(model, values)) for model in found.step.models]
+    below = strip(size[0], 0.34 * size[1], found.step.title, write(found, values, view), told, ink)
     height = size[1] - (below.height if below else 0)
     picture = Image.new("RGB", size, ink.colour("background"))
     left = size[0] if part == "scene" else 0 if part == "plot" else size[0] // 2
@@ -141,7 +143,7 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
     camera, zoom = stage.scene.camera, 1.0
     tangent = math.tan(math.radians(camera.field_of_view) / 2)
     for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, counted=False)
         far = reach(stage, theme)
         wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
         if far >= CUT_OFF:

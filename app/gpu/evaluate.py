@@ -14,11 +14,13 @@ MAX_CORNERS = 8  # as in glsl/core/constants.glsl
 TEXTURE_TRIANGLES = 256  # triangles in a row of a mesh texture
 
 
-def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.Context | None = None) -> np.ndarray:
+def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.Context | None = None,
+             overrides: dict[str, shader.Source] | None = None, uniforms: dict | None = None) -> np.ndarray:
     """float32 values of a function of glsl/optics (or of `text`) at broadcast arguments; int32 of one that returns int.
 
     args: name -> array; scalars (...), vectors (..., 2|3|4), arrays of corners (n, 2|3|4), meshes (faces, 3, 3), tables
     (rows, columns). Returns (...) for float, (..., 3) for vec3. Arrays, meshes and tables are the same for all points.
+    A `text` may include what `overrides` holds, and have `uniforms` of its own.
     """
     include, signature = find(function, text)
     source, varying, fixed = point_program(signature, include if text is None else None, text)
@@ -34,7 +36,10 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
     ctx = ctx or context()
     with ctx:
-        feedback = program(ctx, shader.assemble(source, function, header=shader.DESKTOP), varyings=("value",))
+        assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
+        feedback = program(ctx, assembled, varyings=("value",))
+        for name in (uniforms or {}).keys() & set(feedback):
+            cast(moderngl.Uniform, feedback[name]).value = (uniforms or {})[name]
         if count == 0:
             return np.empty((*shape, width) if width > 1 else shape, np.float32)
         made: list = [bind(ctx, feedback, arg, args[arg.name]) for arg in fixed]

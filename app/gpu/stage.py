@@ -1,6 +1,7 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any, cast
 
 import moderngl
@@ -57,6 +58,7 @@ def linear(encoded) -> np.ndarray:
     return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
 
 
+@cache
 def look(theme: Theme) -> dict:
     """What a theme gives to a scene."""
     return {"background": tuple(linear(rgb(theme.background))),
@@ -65,17 +67,14 @@ def look(theme: Theme) -> dict:
 
 
 class Stage:
-    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None,
-                 counts_fine: bool = True):
-        """`counts_fine`: fine pictures count faults too; a window, which draws a coarse one first, saves the memory."""
-        self.ctx, self.source, self.scene, self.counts_fine = ctx, source, source.scene, counts_fine
+    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
+        self.ctx, self.source, self.scene = ctx, source, source.scene
         self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
         self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
         self.programs: dict[str, moderngl.Program] = {}
-        self.target_parts: list = []
-        self.faults_only: dict[moderngl.Framebuffer, moderngl.Framebuffer] = {}
-        self.fine: moderngl.Framebuffer | None = None
+        self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
+        self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
         with ctx:
             self.compile(None)
@@ -140,23 +139,26 @@ class Stage:
 
     # --- drawing ---------------------------------------------------------------------------------------------------
     def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme,
-             fine: bool = True) -> moderngl.Texture:
-        """The picture at these values, with soft edges when `fine`; the texture is the same until the size changes."""
+             fine: bool = True, counted: bool = True) -> moderngl.Texture:
+        """The picture at these values, the same texture until the size changes: with soft edges when `fine`, and with
+        the count of its faults when `counted` (it takes a third longer: a window counts when nothing moves)."""
         with self.ctx:
             self.resize(size)
-            target = self.fine_target() if fine and self.ctx.max_samples >= SAMPLES else self.shown
+            fine = fine and self.ctx.max_samples >= SAMPLES
+            drawn_into = ("picture", "faults") if counted else ("picture",)
+            target = self.target(drawn_into, fine)
             self.take_tables(values)
             self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
-            if target in self.faults_only:
-                self.faults_only[target].clear()
+            if counted:
+                self.target(("faults",), fine).clear()
             target.use()  # last: clearing a framebuffer without depth leaves the depth mask off
             self.paint(values, target)
-            if target is not self.shown:
-                self.ctx.copy_framebuffer(self.shown if self.counts_fine else self.picture_only, target)
+            if fine:
+                self.ctx.copy_framebuffer(self.target(drawn_into, False), target)
             before.use()
-            return self.textures[0]
+            return self.part("picture", False)
 
     def resize(self, size: tuple[int, int]) -> None:
         size = max(1, int(size[0])), max(1, int(size[1]))
@@ -167,26 +169,22 @@ class Stage:
             raise Problem(f"a picture of {size[0]} x {size[1]} pixels is larger than this OpenGL can draw ({limit}).")
         self.release_targets()
         self.size = size
-        self.textures = [self.ctx.texture(size, 4), self.ctx.texture(size, 4)]
-        self.shown = self.target(self.textures, self.ctx.depth_renderbuffer(size))
-        self.picture_only = self.ctx.framebuffer(self.textures[:1])
-        self.target_parts.append(self.picture_only)
 
-    def target(self, colours: list, depth: moderngl.Renderbuffer) -> moderngl.Framebuffer:
-        """A framebuffer for picture and faults; the faults also alone, because they are cleared to nothing."""
-        whole = self.ctx.framebuffer(colours, depth)
-        if len(colours) > 1:
-            self.faults_only[whole] = self.ctx.framebuffer(colours[1:])
-        else:
-            self.target_parts.append(whole)
-        self.target_parts += [*colours, depth]
-        return whole
+    def target(self, names: tuple[str, ...], fine: bool) -> moderngl.Framebuffer:
+        """A framebuffer of these parts, with depth where there is a picture; made when it is first wanted."""
+        if (names, fine) not in self.targets:
+            depth = self.part("depth", fine) if "picture" in names else None
+            self.targets[names, fine] = self.ctx.framebuffer([self.part(name, fine) for name in names], depth)
+        return self.targets[names, fine]
 
-    def fine_target(self) -> moderngl.Framebuffer:
-        if self.fine is None:
-            colours = [self.ctx.renderbuffer(self.size, 4, samples=SAMPLES) for _ in range(1 + self.counts_fine)]
-            self.fine = self.target(colours, self.ctx.depth_renderbuffer(self.size, samples=SAMPLES))
-        return self.fine
+    def part(self, name: str, fine: bool) -> Any:
+        if (name, fine) not in self.parts:
+            samples = SAMPLES if fine else 0
+            self.parts[name, fine] = (
+                self.ctx.depth_renderbuffer(self.size, samples=samples) if name == "depth" else
+                self.ctx.texture(self.size, 4) if name == "picture" and not fine else
+                self.ctx.renderbuffer(self.size, 4, samples=samples))
+        return self.parts[name, fine]
 
     def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
         """Opaque surfaces, then dots and marks, then what one looks through."""
@@ -269,9 +267,10 @@ class Stage:
             return answer
 
     def faults(self) -> Faults:
-        """The faulty pixels of the last picture."""
+        """The faulty pixels of the last picture that was counted."""
         with self.ctx:
-            found = np.frombuffer(self.shown.read(components=4, attachment=1), "u1").reshape(-1, 4)
+            counted = self.target(("picture", "faults"), False)
+            found = np.frombuffer(counted.read(components=4, attachment=1), "u1").reshape(-1, 4)
         if not np.count_nonzero(found.view("<u4") & 0xFFFFFF):
             return Faults()
         return Faults(*(int(np.count_nonzero(found[:, i])) for i in range(3)))
@@ -279,7 +278,7 @@ class Stage:
     def pixels(self) -> np.ndarray:
         """uint8 (height, width, 3), the top row first."""
         with self.ctx:
-            data = np.frombuffer(self.shown.read(components=3, alignment=1), "u1")
+            data = np.frombuffer(self.target(("picture",), False).read(components=3, alignment=1), "u1")
         return data.reshape(self.size[1], self.size[0], 3)[::-1]
 
     # --- the end ---------------------------------------------------------------------------------------------------
@@ -295,12 +294,9 @@ class Stage:
         self.arrays, self.geometry, self.data = {}, {}, {}
 
     def release_targets(self) -> None:
-        for whole, alone in self.faults_only.items():
-            whole.release()
-            alone.release()
-        for part in self.target_parts:
-            part.release()
-        self.faults_only, self.target_parts, self.fine, self.size = {}, [], None, (0, 0)
+        for thing in (*self.targets.values(), *self.parts.values()):
+            thing.release()
+        self.targets, self.parts, self.size = {}, {}, (0, 0)
 
     def release(self) -> None:
         """Give back everything but the programs, which the context keeps for the next stage."""

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from typing import Any
 
 if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, which ends a process that also uses EGL
     os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
@@ -10,13 +11,15 @@ if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, whi
 import numpy as np
 import pyvista as pv
 
-from app.lesson import Camera, Curves, Faces, Figure, Ledger, Lobes, Plot
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
 from app.plots.curves import CurvesPart
 from app.plots.faces import FacesPart
 from app.plots.figure import FigurePart
+from app.plots.image_slice import ImageSlicePart
 from app.plots.ledger import LedgerPart
 from app.plots.lobes import LobesPart
 from app.plots.look import Look
+from app.plots.slices import SlicePart
 from app.plots.words import header, line_of_words, noticed
 from app.theme import Theme
 
@@ -54,12 +57,12 @@ class Drawing:
         foot = self.part.footer()
         picture = np.concatenate([self.head, drawn, *([foot] if foot is not None else [])])
         bottom = self.size[1] - (len(foot) if foot is not None else 0) - self.look.text
-        if isinstance(self.plot, Curves):
+        if isinstance(self.plot, Curves | Slice):
             bottom = len(self.head) + round(0.7 * len(drawn))
         return np.ascontiguousarray(noticed(self.look, picture, notices, bottom))
 
     def open(self, values: dict) -> None:
-        if isinstance(self.part, LobesPart):
+        if isinstance(self.part, LobesPart | SlicePart | ImageSlicePart):
             self.part.prepare(values)
         foot = self.part.footer()
         tall = self.size[1] - len(self.head) - (len(foot) if foot is not None else 0)
@@ -81,18 +84,14 @@ class Drawing:
             self.plotter = None
 
 
-def part(plot: Plot, look: Look, triangles: np.ndarray | None, ranges: dict):
+def part(plot: Plot, look: Look, triangles: np.ndarray | None, ranges: dict) -> Any:
     if isinstance(plot, Curves):
         return CurvesPart(plot, look, ranges)
-    if isinstance(plot, Figure):
-        return FigurePart(plot, look)
     if isinstance(plot, Faces):
         return FacesPart(plot, look, triangles)
-    if isinstance(plot, Ledger):
-        return LedgerPart(plot, look)
-    if isinstance(plot, Lobes):
-        return LobesPart(plot, look)
-    raise TypeError(f"{type(plot).__name__} is not a plot")
+    kinds: dict[type, Any] = {Figure: FigurePart, Ledger: LedgerPart, Lobes: LobesPart, Slice: SlicePart,
+                              ImageSlice: ImageSlicePart}
+    return kinds[type(plot)](plot, look)
 
 
 def failed(plot: Plot, size: tuple[int, int], theme: Theme, words: str) -> np.ndarray:

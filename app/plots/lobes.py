@@ -1,28 +1,24 @@
 """Lobes of models over the base disk, overlaid, each on a grid that is dense at its own peak."""
 
-import math
-
 import numpy as np
 import pyvista as pv
 
 from app.lesson import Camera, Lobes
 from app.plots.dots import rimmed
 from app.plots.look import Look
-from app.plots.models import Legend, Lit, dot, lit
+from app.plots.models import Legend, Lit, Scale, dot, lit, notices, unit_of
 from app.plots.shell import base_disk
 from app.plots.space import aim, fill, grid_faces, grid_normals, light, on_picture, polyline
-from app.plots.ticks import nice, number
 from app.plots.words import Entry, labelled
 
 ROWS, COLUMNS = 64, 128
-DECADES = 4, 8  # from the largest power of ten down to the middle, on a logarithmic scale: as few as show all lobes
 REACH = 1.22  # how long the arrows are; a lobe's longest is 1
 
 
 class LobesPart:
     def __init__(self, plot: Lobes, look: Look):
         self.plot, self.look = plot, look
-        self.top, self.scale, self.decades = 0.0, -1, DECADES[0]
+        self.scale = Scale()
         self.shown: list[Lit] = []
         self.kept: list = []
         self.legend: Legend | None = None
@@ -34,9 +30,7 @@ class LobesPart:
     def footer(self) -> np.ndarray | None:
         if self.legend is None:
             return None
-        unit = self.shown[0].unit if self.shown else ""
-        steps = "in quarters" if self.scale != 2 else "each a tenth" if self.decades == 4 else "each a hundredth"
-        return self.legend.strip(self.shown, f"outer ring {number(self.top)}{unit}, {steps}")
+        return self.legend.strip(self.shown, self.scale.words(unit_of(self.shown)))
 
     def prepare(self, values: dict) -> None:
         self.shown = lit(self.plot.models, values, self.plot.over)
@@ -82,33 +76,15 @@ class LobesPart:
         for one, before in zip(self.shown, kept, strict=True):
             key = one.key
             self.kept.append(before if before[0] == key else (key, *one.lobe(ROWS, COLUMNS)))
-        self.rescale([np.nan_to_num(f, posinf=0, neginf=0).max() for _, _, f in self.kept], values)
+        self.scale.fit([f for _, _, f in self.kept], int(values.get("lobe_scale", 0)))
         for (mesh, outline), (_, d, f) in zip(self.parts, self.kept, strict=True):
             self.place(mesh, outline, d, f)
         self.point()
         aim(self.plotter, camera or self.plot.camera)
         return [words for one, (_, _, f) in zip(self.shown, self.kept, strict=True) for words in notices(one, f)]
 
-    def rescale(self, peaks: list[float], values: dict) -> None:
-        """The outermost ring; it keeps still until a lobe leaves it or all have shrunk to a fraction of it."""
-        scale, most = int(values.get("lobe_scale", 0)), max([*peaks, 0.0])
-        if scale != self.scale or most > self.top or most < 0.3 * self.top:
-            self.scale = scale
-            if not 0 < most < 1e300:
-                self.top = 1.0
-            else:
-                self.top = 10.0 ** math.ceil(math.log10(most) - 1e-9) if scale == 2 else nice(most)
-        least = min((peak for peak in peaks if peak > 0), default=self.top)
-        self.decades = DECADES[int(least < self.top * 10.0 ** (1 - DECADES[0]))]
-
-    def radius(self, f) -> np.ndarray:
-        share = np.maximum(np.nan_to_num(np.asarray(f, float), posinf=0, neginf=0), 0) / self.top
-        if self.scale != 2:
-            return share
-        return np.clip(1 + np.log10(np.maximum(share, 1e-30)) / self.decades, 0, 1)
-
     def place(self, mesh: pv.PolyData, outline: pv.PolyData, d: np.ndarray, f: np.ndarray) -> None:
-        points = d * self.radius(f)[..., None]
+        points = d * self.scale.length(f)[..., None]
         mesh.points = points.reshape(-1, 3).astype(np.float32)
         normals = grid_normals(points)
         normals *= np.where(np.sum(normals * d, -1, keepdims=True) < 0, -1, 1)
@@ -136,7 +112,7 @@ class LobesPart:
         """The picked direction on each lobe, and the letters of the arrows."""
         look, picture = self.look, picture.copy()
         for one in self.shown:
-            place = on_picture(self.plotter, (self.radius(one.number) * one.picked)[None])
+            place = on_picture(self.plotter, (self.scale.length(one.number) * one.picked)[None])
             rimmed(picture, place, dot(look), one.colour(look), look.background, 2 * look.scale)
         where = on_picture(self.plotter, np.array([(REACH + 0.1) * d for d in self.ends.values()]))
         same = np.linalg.norm(self.ends["r"] - self.ends["v" if self.plot.over == "v" else "l"]) < 0.12
@@ -151,9 +127,3 @@ def profile(d: np.ndarray, points: np.ndarray) -> np.ndarray:
     line = np.concatenate([points[::-1, first], points[1:, first + half]])
     at = np.linspace(0, len(line) - 1, 2 * COLUMNS).round().astype(int)
     return line[at]
-
-
-def notices(one: Lit, f: np.ndarray) -> list[str]:
-    bad, below = int((~np.isfinite(f)).sum()), int((f < 0).sum())
-    found = [f"“{one.label}”: {bad} {'point is' if bad == 1 else 'points are'} not finite"] if bad else []
-    return found + ([f"“{one.label}” is negative at {below} points"] if below else [])

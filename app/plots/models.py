@@ -1,22 +1,26 @@
 """What the plots of models share: values over directions, the direction that is picked, a legend with its numbers."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from PIL import Image, ImageDraw
 
+from app.badges import key
 from app.furnace import grid
 from app.hemisphere import NORMAL, apart, around, frame
 from app.lesson import Model
 from app.optics import arguments
 from app.optics.spherical import light_direction, view_direction
 from app.plots.look import Look, Rgb, bytes3
-from app.plots.words import dot_size, font
+from app.plots.ticks import nice, number
+from app.plots.words import Entry, dot_size, font, mark, paste
 from app.readouts import three
-from app.terms import bound, evaluate
+from app.terms import evaluate
 
 SCALES = ("f", "f n·l", "log f")  # of the value lobe_scale
 CHANNELS = ((0.86, 0.20, 0.18), (0.20, 0.66, 0.25), (0.25, 0.42, 0.95))
+DECADES = 4, 8  # from the outermost ring to the middle on a logarithmic scale: as few as show all lobes
 LEAST = 1e-3  # how far above the horizon the rim of a lobe is looked at
 
 
@@ -43,11 +47,13 @@ class Lit:
 
     def __call__(self, swept: np.ndarray) -> np.ndarray:
         """Values (...) over directions (..., 3); times n.l where the step asks for it."""
-        l, v = (self.still, swept) if self.over == "v" else (swept, self.still)
+        return self.pairs(self.still, swept) if self.over == "v" else self.pairs(swept, self.still)
+
+    def pairs(self, l: np.ndarray, v: np.ndarray) -> np.ndarray:
         values = self.values if self.channel is None else {**self.values, "channel": self.channel}
         with np.errstate(all="ignore"):  # what is not finite is counted and shown
             found = evaluate(self.model.term, values, n=NORMAL, l=l, v=v, radiance=1.0)
-        found = np.broadcast_to(np.asarray(found, float), swept.shape[:-1])
+        found = np.broadcast_to(np.asarray(found, float), np.broadcast_shapes(l.shape, v.shape)[:-1])
         times = self.values.get("lobe_scale", 0) == 1 and not self.model.is_shading
         return found * np.maximum(l[..., 2], 0) if times else found
 
@@ -70,9 +76,8 @@ class Lit:
     @property
     def key(self) -> tuple:
         """Changes when the lobe does."""
-        args = bound(self.model.term, {**self.values, "channel": self.channel}, n=0, l=0, v=0, radiance=0)
         scale = self.values.get("lobe_scale", 0)
-        return self.channel, self.over, scale, tuple(self.still), tuple(map(str, args.items()))
+        return self.channel, self.over, scale, tuple(self.still), key(self.model, self.values)
 
     def peak(self) -> tuple[np.ndarray, float]:
         """The direction of the largest value, a little above the horizon, and how wide (rad) the lobe is there."""
@@ -116,18 +121,50 @@ def lit(models: tuple[Model, ...], values: dict, over: str) -> list[Lit]:
     return found
 
 
+class Scale:
+    """How long a value is drawn: 1 at the outermost ring, which keeps still until it is left or far too wide."""
+
+    def __init__(self) -> None:
+        self.top, self.kind, self.decades = 0.0, -1, DECADES[0]
+
+    def fit(self, values: list[np.ndarray], kind: int) -> None:
+        """To hold the largest of all values, and on a logarithmic scale the largest of each model's."""
+        peaks = [float(np.nan_to_num(f, nan=0, posinf=0, neginf=0).max()) for f in values]
+        most = max([*peaks, 0.0])
+        if kind != self.kind or most > self.top or most < 0.3 * self.top:
+            self.kind = kind
+            if not 0 < most < 1e300:
+                self.top = 1.0
+            else:
+                self.top = 10.0 ** math.ceil(math.log10(most) - 1e-9) if self.log else nice(most)
+        least = min((peak for peak in peaks if peak > 0), default=self.top)
+        self.decades = DECADES[int(least < self.top * 10.0 ** (1 - DECADES[0]))]
+
+    @property
+    def log(self) -> bool:
+        return self.kind == 2
+
+    def length(self, f) -> np.ndarray:
+        share = np.maximum(np.nan_to_num(np.asarray(f, float), posinf=0, neginf=0), 0) / self.top
+        return np.clip(1 + np.log10(np.maximum(share, 1e-30)) / self.decades, 0, 1) if self.log else share
+
+    def words(self, unit: str) -> str:
+        steps = "in quarters" if not self.log else "each a tenth" if self.decades == 4 else "each a hundredth"
+        return f"outer ring {number(self.top)}{unit}, {steps}"
+
+
 class Legend:
-    """A strip with a square, the name and the number of each model at the picked direction; its height is fixed."""
+    """A strip with a sample, the name and the number of each model at the picked direction; its height is fixed."""
 
     def __init__(self, look: Look, models: list[Lit]):
         self.look, letters = look, font(look, look.small)
-        self.swatch, self.gap, self.high = round(0.9 * look.small), round(0.5 * look.small), round(1.32 * look.small)
+        self.swatch, self.gap, self.high = round(1.5 * look.small), round(0.5 * look.small), round(1.32 * look.small)
         self.wide = self.swatch + 3 * self.gap + max(
             (letters.getlength(one.label + "  0.000e-00 /sr") for one in models), default=0)
         self.columns = max(1, min(len(models), int((look.size[0] - 2 * self.gap) // self.wide)))
         self.rows = -(-len(models) // self.columns)
 
-    def strip(self, models: list[Lit], note: str) -> np.ndarray:
+    def strip(self, models: list[Lit], note: str, samples: tuple[str, ...] = ("area",)) -> np.ndarray:
         look, letters = self.look, font(self.look, self.look.small)
         picture = Image.new("RGB", (look.size[0], (self.rows + 1) * self.high + self.gap), bytes3(look.background))
         draw = ImageDraw.Draw(picture)
@@ -135,15 +172,27 @@ class Legend:
         wide = (look.size[0] - 2 * self.gap) / self.columns
         for i, one in enumerate(models):
             x, y = 2 * self.gap + (i % self.columns) * wide, (1.5 + i // self.columns) * self.high
-            half = self.swatch / 2
-            draw.rounded_rectangle((x, y - half, x + 2 * half, y + half), half / 2, bytes3(one.colour(look)))
+            entry = Entry(samples[i % len(samples)], one.colour(look), one.label)
+            paste(picture, mark(look, entry, self.swatch, self.high), x, y - self.high / 2)
             x += self.swatch + self.gap
             draw.text((x, y), one.label, bytes3(look.foreground), letters, anchor="lm")
             draw.text((x + letters.getlength(one.label + "  "), y), three(one.number) + one.unit,
-                      bytes3(look.foreground), letters, anchor="lm", stroke_width=0)
+                      bytes3(look.foreground), letters, anchor="lm")
         return np.asarray(picture)
 
 
 def dot(look: Look) -> float:
     """px across of the mark of the picked direction."""
     return 1.7 * dot_size(look)
+
+
+def unit_of(models: list[Lit]) -> str:
+    """The unit they share."""
+    units = {one.unit for one in models}
+    return units.pop() if len(units) == 1 else ""
+
+
+def notices(one: Lit, f: np.ndarray) -> list[str]:
+    bad, below = int((~np.isfinite(f)).sum()), int((f < 0).sum())
+    found = [f"“{one.label}”: {bad} {'point is' if bad == 1 else 'points are'} not finite"] if bad else []
+    return found + ([f"“{one.label}” is negative at {below} points"] if below else [])

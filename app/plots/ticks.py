@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.quantities import quantity
+from app.quantities import SPOKEN, quantity, spoken
 
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -103,6 +103,6 @@ def plain(latex: str) -> str:
 def axis_title(name: str) -> str:
     """What stands at an axis: half angle θ in °."""
     q = quantity(name)
-    words, symbol = name.replace("_", " "), plain(q.symbol)
+    words, symbol = spoken(name), plain(q.symbol)
     unit = f" in {q.screen_unit}" if q.screen_unit else ""
-    return (symbol if symbol in (words, GREEK.get(words)) else f"{words} {symbol}") + unit
+    return (words if name in SPOKEN or words == symbol else f"{words} {symbol}") + unit

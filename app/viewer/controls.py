@@ -6,7 +6,7 @@ from imgui_bundle import imgui
 
 from app.catalog import ValueSpec
 from app.lesson import Number
-from app.quantities import shown
+from app.quantities import shown, spoken
 from app.typed import digits
 from app.viewer import style
 
@@ -31,7 +31,7 @@ def draw(app) -> None:
 
 def label_width(specs: Iterable[ValueSpec]) -> float:
     unit = imgui.get_font_size()
-    return min(max((imgui.calc_text_size(words(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
+    return min(max((imgui.calc_text_size(spoken(s.name)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
 
 
 def height(specs: Iterable[ValueSpec], room: float) -> float:
@@ -58,7 +58,7 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
 
 def row(app, spec: ValueSpec, width: float) -> None:
     imgui.align_text_to_frame_padding()
-    imgui.text(words(spec))
+    imgui.text(spoken(spec.name))
     tool_tip(spec)
     imgui.same_line(width)
     imgui.set_next_item_width(-1)
@@ -74,14 +74,6 @@ def row(app, spec: ValueSpec, width: float) -> None:
         if imgui.is_mouse_double_clicked(0) and not spec.choices:
             app.session.reset(spec.name)
         tool_tip(spec)
-
-
-GREEK = {"theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η"}
-
-
-def words(spec: ValueSpec) -> str:
-    """The name a person reads: distance, half angle, angle θ."""
-    return GREEK.get(spec.name, spec.name.replace("_", " "))
 
 
 def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
@@ -138,7 +130,7 @@ def tool_tip(spec: ValueSpec) -> None:
     low, high, first = (text(spec, x) for x in (spec.low, spec.high, spec.default))
     gap = "" if unit in ("", "°") else " "
     imgui.set_tooltip(
-        f"{words(spec)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
+        f"{spoken(spec.name)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
         "Ctrl+click to type, double click to reset."
     )
 

@@ -30,11 +30,10 @@ class Cover:
         turned = replace(camera, azimuth=camera.azimuth + DEGREES_A_SECOND * (time.monotonic() - self.begun))
         scale = imgui.get_io().display_framebuffer_scale
         pixels = int(size.x * scale.x), int(size.y * scale.y)
-        self.stage.draw({}, turned, pixels, self.app.theme, fine=True)
+        self.stage.draw({}, turned, pixels, self.app.theme, counted=False)
         self.app.ctx.screen.use()
-        imgui.image(
-            imgui.ImTextureRef(self.stage.textures[0].glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0)
-        )
+        texture = self.stage.part("picture", False)
+        imgui.image(imgui.ImTextureRef(texture.glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0))
 
     def release(self) -> None:
         if self.stage:

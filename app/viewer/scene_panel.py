@@ -22,7 +22,7 @@ class ScenePanel:
         self.stage: Stage | None = None
         self.drawn: tuple | None = None  # what the picture shows; nothing is drawn again until this changes
         self.is_fine = False
-        self.faults = Faults()
+        self.faults: Faults | None = None  # None: not counted yet, something moves
         self.points: dict[str, np.ndarray] = {}  # where words and handles stand, in the world
         self.held: Handle | None = None
         self.turning = False
@@ -53,19 +53,22 @@ class ScenePanel:
         changed = wanted != self.drawn
         rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
         if changed or rest:
-            # while something moves one sample a pixel; soft edges as soon as it rests
+            # while something moves one sample a pixel; as soon as it rests the faults are counted, and edges are soft
             self.is_fine = rest
-            self.stage.draw(values, camera, size, theme, fine=self.is_fine)
+            self.faults = None
+            if rest:
+                self.stage.draw(values, camera, size, theme, fine=False)
+                self.faults = self.stage.faults()
+            self.stage.draw(values, camera, size, theme, fine=rest, counted=False)
             self.frames_drawn += 1
             if changed:
-                self.faults = self.stage.faults()
                 self.points = self.find_points(values)
                 self.picked = None
             self.drawn = wanted
             self.app.ctx.screen.use()
         corner = self.corner = imgui.get_cursor_screen_pos()
         self.room = room
-        texture = self.stage.textures[0]
+        texture = self.stage.part("picture", False)
         imgui.image(imgui.ImTextureRef(texture.glo), room, uv0=ImVec2(0, 1), uv1=ImVec2(1, 0))
         imgui.set_cursor_screen_pos(corner)
         imgui.invisible_button(
@@ -113,8 +116,8 @@ class ScenePanel:
                 )
         self.legend(corner, room, theme)
         if self.faults:
-            self.fault_notice(corner, room, theme)
-        else:
+            self.fault_notice(self.faults, corner, room, theme)
+        elif self.faults is not None:
             at = ImVec2(corner.x + 0.7 * imgui.get_font_size(), corner.y + room.y - 1.6 * imgui.get_font_size())
             imgui.get_window_draw_list().add_text(at, style.u32(rgb(theme.quiet), 0.7), "0 faulty pixels")
 
@@ -151,13 +154,13 @@ class ScenePanel:
             draw.add_text(imgui.get_font(), size, ImVec2(corner.x + 1.8 * size, y), ink, text, wide)
             y += imgui.calc_text_size(text, wrap_width=wide).y + imgui.get_style().item_spacing.y
 
-    def fault_notice(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
+    def fault_notice(self, faults: Faults, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
         parts = [
             f"{count} pixels {word}"
             for count, word in (
-                (self.faults.nan, "not a number"),
-                (self.faults.inf, "infinite"),
-                (self.faults.negative, "negative"),
+                (faults.nan, "not a number"),
+                (faults.inf, "infinite"),
+                (faults.negative, "negative"),
             )
             if count
         ]

@@ -25,6 +25,7 @@ from app.readouts import numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
 from app.viewer import controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer.badges_panel import BadgesPanel
 from app.viewer.cover import Cover
 from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
@@ -62,6 +63,7 @@ class Window:
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
+        self.badges = BadgesPanel(self)
         self.mesh: Mesh | None = None  # the user's own, in place of the scene's
         self.triangles: np.ndarray | None = None
         self.ies: Photometry | None = None  # the user's own luminaire, in place of the scene's
@@ -88,6 +90,7 @@ class Window:
         self.session.end_change()
         self.session.save()
         self.plot.close()
+        self.badges.close()
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
@@ -176,6 +179,7 @@ class Window:
         imgui.spacing()
         try:
             numbers_panel.draw(self, self.numbers(), self.theme)
+            self.badges.draw(self.values)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
 
@@ -258,6 +262,13 @@ class Window:
     def set_value(self, name: str, value: Number) -> None:
         try:
             self.session.set(name, value)
+        except Usage as problem:
+            self.message = str(problem)
+
+    def stand(self, at: dict[str, float]) -> None:
+        """To the place that a badge tells of."""
+        try:
+            self.session.stand(at)
         except Usage as problem:
             self.message = str(problem)
 
@@ -344,7 +355,7 @@ class Window:
                 self.scene.drawn = None
             else:
                 source = Source(found.step.scene, found.file_name, found.glsl_line)
-                self.scene.show(Stage(self.ctx, source, self.triangles, counts_fine=False))
+                self.scene.show(Stage(self.ctx, source, self.triangles))
         except Problem as problem:
             self.fault = str(problem)
         self.ctx.screen.use()

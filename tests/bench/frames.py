@@ -17,14 +17,14 @@ ASKED = 3.0
 def jobs() -> dict[str, Job]:
     ctx, theme = context(), THEMES["dark"]
     empty = Stage(ctx, Source(Scene("")))
-    found = {"an empty frame": timed(lambda: (empty.draw({}, Camera(), SIZE, theme, False), ctx.finish()))}
+    found = {"an empty frame": timed(lambda: (empty.draw({}, Camera(), SIZE, theme, False, False), ctx.finish()))}
     for step in catalog.steps():
         values = defaults(step)
         values |= data(step, values)
         stage = Stage(ctx, Source(step.step.scene, step.file_name, step.glsl_line), values.get("triangles"))
         for fine in (False, True):
             def draw(stage=stage, values=values, camera=step.step.scene.camera, fine=fine) -> None:
-                stage.draw(values, camera, SIZE, theme, fine)
+                stage.draw(values, camera, SIZE, theme, fine, counted=fine)
                 ctx.finish()
 
             found[f"{step.id}, {'at rest (4 samples)' if fine else 'moving'}"] = timed(draw)

@@ -1,0 +1,82 @@
+"""A `.brdf` file as a function of directions, computed by the GLSL in it, and its badges.
+
+Its names get a prefix, so that several files, and a scene, fit into one program; messages are told without it.
+"""
+
+import re
+
+import numpy as np
+
+from app import shader
+from app.badges import Badge, check
+from app.board.brdf_file import BrdfFile, Default
+from app.hemisphere import frame
+from app.problem import Problem
+
+ROUNDING = 1e-4  # two ways around a float32 formula may differ by this much; a different formula differs by more
+
+
+def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
+    """The file's GLSL with its parameters as uniforms, every name of its top level behind the prefix."""
+    text, first = file.shader.text, file.shader.first
+    names = {name for block in shader.blocks(shader.resolve(text, file.path, first)) for name in block.names}
+    names = (names | {p.name for p in file.parameters}) - {shader.ALWAYS}
+    if not names:
+        return file.shader
+    word = re.compile(rf"(?<![.\w])({'|'.join(map(re.escape, sorted(names)))})(?!\w)")
+    return shader.Source(word.sub(lambda m: prefix + m[1], text), file.path, first)
+
+
+def uniforms(file: BrdfFile, prefix: str) -> str:
+    """One line, so that line numbers stay as they are."""
+    return " ".join(f"uniform {p.glsl} {prefix}{p.name};" for p in file.parameters)
+
+
+class BrdfModel:
+    def __init__(self, file: BrdfFile, number: int = 0):
+        self.file, self.prefix = file, f"model{number}_"
+        self.name, self.parameters = file.name, file.parameters
+        source = prefixed(file, self.prefix)
+        call = (f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) "
+                f"{{ return {self.prefix}BRDF(l, v, n, x, y); }}")
+        self.text = "\n".join([uniforms(file, self.prefix), '#include "model"', call])
+        self.overrides = {"model": source}
+
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+        """float32 values (..., 3) in 1/sr at unit vectors (..., 3); X and Y are across n."""
+        from app.gpu.evaluate import evaluate
+
+        x, y = frame(n)
+        given = {self.prefix + name: value for name, value in (self.file.defaults | (values or {})).items()}
+        try:
+            return evaluate("value_of_model", {"n": n, "l": l, "v": v, "x": x, "y": y}, self.text,
+                            overrides=self.overrides, uniforms=given)
+        except Problem as problem:
+            raise Problem(str(problem).replace(self.prefix, "")) from None
+
+    def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
+        """The worst of the three channels; a grey model is asked once. Below the horizon a file's word counts nothing:
+        the explorer never asks there."""
+        grey = True
+        found = []
+        for channel in range(3):
+            def reflect(n, l, v, channel=channel):
+                nonlocal grey
+                rgb = np.where(above(l, v), self.rgb(n, l, v, values), 0)
+                grey &= bool(np.array_equal(rgb, rgb[..., :1] + 0 * rgb, equal_nan=True))
+                return rgb[..., channel]
+
+            found.append(check(reflect, same=ROUNDING))
+            if grey:
+                break
+        return {name: max((badges[name] for badges in found), key=lambda b: severity(name, b)) for name in found[0]}
+
+
+def above(l, v) -> np.ndarray:
+    return ((l[..., 2] > 0) & (v[..., 2] > 0))[..., None]
+
+
+def severity(name: str, badge: Badge) -> tuple[bool, float]:
+    """What makes one channel's badge worse than another's."""
+    worst = np.inf if badge.worst is None else badge.worst
+    return not badge.ok, -worst if name == "non_negative" else worst

@@ -1,0 +1,140 @@
+"""Badges below the numbers, a line for each model: what it keeps and what it breaks. A click goes to the worst place.
+
+They are computed in a thread of their own, always for the latest values; what is shown meanwhile is marked as old.
+"""
+
+from collections import OrderedDict
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from imgui_bundle import ImVec2, imgui
+
+from app.badges import ASKED, NAMES, SHORT, Badge, key, of_model, told
+from app.lesson import Model
+from app.theme import colour
+from app.viewer import glfw, style
+
+SMALL = 0.9  # of the text
+KEPT = 64  # results, so that a slider's way back costs nothing
+
+
+class BadgesPanel:
+    def __init__(self, app) -> None:
+        self.app = app
+        self.thread = ThreadPoolExecutor(1, "badges")
+        self.known: OrderedDict[tuple, dict[str, Badge] | str] = OrderedDict()
+        self.job: Future | None = None
+        self.last: dict[tuple, dict[str, Badge] | str] = {}  # of the model of a step, as it was shown last
+
+    @property
+    def waiting(self) -> bool:
+        return self.job is not None
+
+    def draw(self, values: dict) -> None:
+        found = self.app.session.current
+        if not found.step.models:
+            return
+        self.take()
+        hidden = self.app.session.frozen
+        if not hidden:
+            self.ask(found.step.models, values)
+        imgui.spacing()
+        imgui.push_font(None, SMALL * imgui.get_style().font_size_base)
+        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
+        if imgui.begin_table("badges", 1 + len(NAMES), flags):
+            imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
+            for name in NAMES:
+                imgui.table_setup_column(name)
+            imgui.table_next_row()
+            for i, name in enumerate(NAMES, 1):
+                imgui.table_set_column_index(i)
+                imgui.text_disabled(SHORT[name])
+                if imgui.is_item_hovered():
+                    imgui.set_tooltip(ASKED[name])
+            for model in found.step.models:
+                self.row(found.id, model, values, hidden)
+            imgui.end_table()
+        imgui.pop_font()
+
+    def row(self, step: str, model: Model, values: dict, hidden: bool) -> None:
+        now = self.known.get(key(model, values))
+        if now is not None:
+            self.last[step, model.label] = now
+        shown = now or self.last.get((step, model.label))
+        imgui.table_next_row()
+        imgui.table_next_column()
+        size, at = imgui.get_font_size(), imgui.get_cursor_screen_pos()
+        ink = style.u32(colour(model.colour, self.app.theme))
+        imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
+        imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
+        imgui.text_wrapped(model.label)
+        for name in NAMES:
+            imgui.table_next_column()
+            badge = shown[name] if isinstance(shown, dict) and not hidden else None
+            middle(imgui.calc_text_size(SHORT[name]).x)
+            self.badge(f"{model.label}{name}", badge, faded=now is None)
+            if not imgui.is_item_hovered() or hidden:
+                continue
+            if badge is None:
+                imgui.set_tooltip(shown if isinstance(shown, str) else "on its way")
+            else:
+                imgui.set_tooltip(told(name, badge) + ("\nClick to go there." if badge.at else ""))
+
+    def badge(self, id: str, badge: Badge | None, faded: bool) -> None:
+        """A round one with a tick, a square one with a cross, or an empty ring; never by colour alone."""
+        size, theme, draw = imgui.get_font_size(), self.app.theme, imgui.get_window_draw_list()
+        at, r = imgui.get_cursor_screen_pos(), 0.46 * size
+        if imgui.invisible_button(id, ImVec2(1.05 * size, 1.05 * size)) and badge is not None and badge.at:
+            self.app.stand(badge.at)
+        x, y = at.x + 0.5 * size, at.y + 0.5 * size
+        shade, wide = 0.45 if faded else 1.0, 0.12 * size
+        if badge is None:
+            draw.add_circle(ImVec2(x, y), 0.8 * r, style.u32(colour("quiet", theme), shade), 0, 0.6 * wide)
+            return
+        ground = style.u32(colour("v" if badge.ok else "r", theme), shade)
+        ink = style.u32((1.0, 1.0, 1.0), shade)
+        if badge.ok:
+            draw.add_circle_filled(ImVec2(x, y), r, ground)
+            strokes = ((-0.45, 0.02, -0.1, 0.4), (-0.16, 0.4, 0.5, -0.4))
+        else:
+            side = 0.92 * r
+            draw.add_rect_filled(ImVec2(x - side, y - side), ImVec2(x + side, y + side), ground, 0.2 * r)
+            strokes = ((-0.42, -0.42, 0.42, 0.42), (-0.42, 0.42, 0.42, -0.42))
+        for x0, y0, x1, y1 in strokes:
+            draw.add_line(ImVec2(x + x0 * r, y + y0 * r), ImVec2(x + x1 * r, y + y1 * r), ink, wide)
+        if imgui.is_item_hovered() or imgui.is_item_focused():
+            draw.add_circle(ImVec2(x, y), 1.35 * r, style.u32(colour("foreground", theme)), 0, 0.5 * wide)
+
+    def ask(self, models: tuple[Model, ...], values: dict) -> None:
+        """One job at a time, for the first model whose badges are not known."""
+        if self.job is not None:
+            return
+        for model in models:
+            wanted = key(model, values)
+            if wanted not in self.known:
+                self.job = self.thread.submit(job, wanted, model, dict(values))
+                self.job.add_done_callback(lambda _: glfw.wake())
+                return
+
+    def take(self) -> None:
+        if self.job is None or not self.job.done():
+            return
+        done, self.job = self.job, None
+        wanted, found = done.result()
+        self.known[wanted] = found
+        while len(self.known) > KEPT:
+            self.known.popitem(last=False)
+
+    def close(self) -> None:
+        self.thread.shutdown(wait=True, cancel_futures=True)
+
+
+def job(wanted: tuple, model: Model, values: dict) -> tuple[tuple, dict[str, Badge] | str]:
+    try:
+        return wanted, of_model(model, values)
+    except Exception as error:  # whatever a twin does, the window goes on
+        return wanted, f"{type(error).__name__}: {error}"
+
+
+def middle(width: float) -> None:
+    """The cursor where a badge stands in the middle of this width."""
+    imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(0.0, 0.5 * (width - imgui.get_font_size())))
