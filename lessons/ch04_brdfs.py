@@ -21,6 +21,7 @@ from app.lesson import (
     Prediction,
     Readout,
     Scene,
+    Slice,
     Step,
     Surface,
     Term,
@@ -85,15 +86,12 @@ vec2 way(int ray, int node) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) {
-        int ray = int(s.y * float(4 * RAYS - 1) + 0.5) / 2, node = int(s.x * 7.0 + 0.5), kind = fate(ray);
-        int first = ray < RAYS ? 0 : 6, last = kind == 2 ? 5 : kind == 3 ? first : 7;
-        node = clamp(node, first, last);
-        vec2 p = way(ray, node);
+    if (surface == 0) { // one ribbon along all rays, ten cells each, of no width where it goes on to the next
+        int cell = int(s.x * float(20 * RAYS - 1) + 0.5), ray = cell / 10, place = cell % 10, kind = fate(ray);
+        int first = ray < RAYS ? 0 : 6, last = kind == 2 ? 5 : kind == 3 ? first : 7, node = clamp(place - 1, first, last);
         vec2 along = normalize(way(ray, min(node + 1, last)) - way(ray, max(node - 1, first)) + vec2(1e-6, 0.0));
-        bool other = int(s.y * float(4 * RAYS - 1) + 0.5) % 2 == 1;
-        float wide = PATCH / float(RAYS) * max(cos(theta_l), 0.1) * 0.52;
-        p += (other ? wide : -wide) * vec2(-along.y, along.x);
+        float wide = place % 9 == 0 ? 0.0 : PATCH / float(RAYS) * max(cos(theta_l), 0.1) * 1.04;
+        vec2 p = way(ray, node) + wide * (s.y - 0.5) * vec2(-along.y, along.x);
         return vec3(p.x, -0.02 - 0.0005 * float(ray), p.y);
     }
     if (surface == 1) return vec3(BAR + 0.36 * s.x, -0.01, -1.25 + TALL * 1.42 * s.y);
@@ -103,10 +101,8 @@ vec3 surface_point(int surface, vec2 s) {
 
 vec3 shade(Surface s) {
     if (s.id == 0) {
-        float row = s.st.y * float(4 * RAYS - 1);
-        int ray = int(row + 0.5) / 2, kind = fate(ray);
-        if (int(floor(row)) % 2 == 1 || kind == 3) discard; // between two rays
-        float at = s.st.x * 7.0;
+        float cell = s.st.x * float(20 * RAYS - 1), at = mod(cell, 10.0) - 1.0;
+        int ray = int(cell) / 10, kind = fate(ray);
         if (ray >= RAYS || at < 1.0) return palette[ray < RAYS ? COLOUR_L : COLOUR_EXACT];
         if (kind == 0) return palette[COLOUR_R];
         vec3 inside = mix(palette[COLOUR_L], kind == 1 ? palette[COLOUR_V] : palette[COLOUR_LOST], smoothstep(1.0, 5.0, at));
@@ -146,7 +142,7 @@ vec4 probe(int i) {
     return i == 3 ? vec4(-1.45, -0.1, -0.95, 1.0) : vec4(-0.75, -0.1, -0.16, 1.0);
 }
 """,
-        surfaces=(Surface("rays", cells=(7, 127)), Surface("bar", cells=(1, 1)), Surface("body", cells=(1, 1)),
+        surfaces=(Surface("rays", cells=(639, 1)), Surface("bar", cells=(1, 1)), Surface("body", cells=(1, 1)),
                   Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"),
                Mark("angle", colour="exact", segments=24, label="θ", label_at=0.5), Mark("surface", colour="quiet")),
@@ -171,18 +167,18 @@ vec4 probe(int i) {
         Readout("absorbed", Term("irradiance_absorbed"), unit="W/m²"),
     ),
     ask=Prediction(
-        question="100 W/m² arrive. A fifth is reflected, three tenths are scattered, and nothing shines through. How much "
-                 "leaves the patch?",
-        truth=Term("exitance_leaving", {"k_s": 0.2, "k_d": 0.3, "irradiance_facing": 100.0, "theta_l": 0.0}),
+        question="100 W/m² arrive. A fifth is reflected, half of it is scattered, and nothing shines through. How much leaves "
+                 "the patch?",
+        truth=Term("exitance_leaving", {"k_s": 0.2, "k_d": 0.5, "irradiance_facing": 100.0, "theta_l": 0.0}),
         unit="W/m²", low=0.0, high=100.0,
-        sets={"k_s": 0.2, "k_d": 0.3, "theta_l": 0.0},
-        told="50 W/m². The other half is absorbed: it leaves later, as heat, and the shading of this course does not count it.",
+        sets={"k_s": 0.2, "k_d": 0.5, "theta_l": 0.0},
+        told="70 W/m². The other 30 are absorbed: that leaves later, as heat, and the shading of this course does not count it.",
     ),
     notes="""
 Ask where the light of the lecture room goes: in a few nanoseconds all of it is heat. Then the three fates. The slide lists
 absorbed energy as leaving; say it kindly: the balance has three terms, the exitance has two. Let someone set both shares
 beyond 1 together: the rays out of nothing are the point of the rule k_s + k_d ≤ 1, which returns with Blinn-Phong. Usual wrong
-answer to the question: 100, since energy is conserved; it is, and half of it is warm now. 4 minutes.
+answer to the question: 100, since energy is conserved; it is, and 30 of it are warm now. 4 minutes.
 """,
     sources=("Deck, slides BRDF - The Reflectance Equation (1) and (2)",),
     honesty="The shares are exact, for an opaque patch that emits nothing. The wandering of the scattered rays is drawn by "
@@ -269,7 +265,7 @@ vec4 probe(int i) {
     return i == 1 ? vec4(1.3 * view_direction(theta_v), 1.0) : vec4(0.0, -0.3, -0.04, 1.0);
 }
 """,
-        surfaces=(Surface("sky", cells=(96, 24)), Surface("floor", cells=(48, 4)), Surface("patch", cells=(1, 1))),
+        surfaces=(Surface("sky", cells=(64, 12)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the sun", colour="l", tip="sun", label="sun"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("mirror of the eye", colour="r", line="dotted", tip="arrow"), Mark("horizon", colour="quiet", segments=96)),
@@ -391,7 +387,7 @@ vec4 probe(int i) {
     return vec4(2.0 * (i == 0 ? light_direction(theta_l, phi) : view_direction(theta_v)), 1.0);
 }
 """,
-        surfaces=(Surface("lobe", cells=(64, 48)), Surface("f = 1", cells=(64, 16), opacity=0.14),
+        surfaces=(Surface("lobe", cells=(40, 24)), Surface("f = 1", cells=(48, 12), opacity=0.14),
                   Surface("wood", cells=(1, 1)),
                   Surface("beam", cells=(32, 1), opacity=0.45)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the lamp", colour="l", tip="sun", label="ωi"),
@@ -517,8 +513,8 @@ vec4 probe(int i) {
     return vec4(2.1 * lit_from(i), 1.0);
 }
 """,
-        surfaces=(Surface("light from l", cells=(64, 48)), Surface("light from v", cells=(64, 48), opacity=0.4),
-                  Surface("patch", cells=(64, 1))),
+        surfaces=(Surface("light from l", cells=(40, 24)), Surface("light from v", cells=(40, 24), opacity=0.4),
+                  Surface("patch", cells=(48, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("lamp", colour="l", tip="sun", label="l"),
                Mark("eye", colour="v", tip="eye", label="v"), Mark("f(l,v)", colour="v", tip="dot", width=2.0),
                Mark("f(v,l)", colour="l", tip="dot", width=2.0), Mark("as long", colour="exact", line="dashed", segments=32)),
@@ -533,7 +529,7 @@ vec4 probe(int i) {
                     Curve("∫ f dω, as printed", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed")),
             y_label="over all directions of the light",
         ),
-        Lobes("Where the light of the lamp goes"),
+        Slice("The lobe, cut by the plane of n and l"),
     ),
     readouts=(
         Readout("f(l,v)", Term("brdf_flawed", BROKEN), role="exact", unit="1/sr", absent="0/0, not a number"),
@@ -648,9 +644,9 @@ vec4 probe(int i) {
     return i == 3 ? vec4(-0.55, -1.05, -0.1, 1.0) : vec4(CHALK + vec3(0.0, 0.0, -0.62), 1.0);
 }
 """,
-        surfaces=(Surface("tiles", cells=(96, 24), opacity=0.86), Surface("dropped tiles", cells=(96, 24)),
-                  Surface("floor", cells=(96, 1)), Surface("chalk", cells=(48, 24)),
-                  Surface("dome", cells=(64, 16), opacity=0.16)),
+        surfaces=(Surface("tiles", cells=(64, 12), opacity=0.86), Surface("dropped tiles", cells=(64, 12)),
+                  Surface("floor", cells=(64, 1)), Surface("chalk", cells=(32, 16)),
+                  Surface("dome", cells=(48, 12), opacity=0.16)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
                Mark("dropped rim", colour="v", segments=96), Mark("edge", colour="quiet", segments=96),
                *(Mark(f"drop {i}", colour="v", line="dotted", width=0.8) for i in range(8))),
@@ -672,6 +668,7 @@ vec4 probe(int i) {
         Readout("Σ cos θ ΔΩ", Term("cosine_sum"), role="estimate", against="dropped ∫ cos θ dω"),
         Readout("f = ρ/π", Term("brdf_lambert", {"n": UP, "l": UP, "v": UP}), role="exact", unit="1/sr"),
     ),
+    models=(Model("matt", Term("brdf_lambert")),),
     ask=Prediction(
         question="A white, matt surface sends back all it gets, evenly. Its BRDF is one number. Which?",
         truth=Term("brdf_lambert", {"n": UP, "l": UP, "v": UP, "rho": 1.0}),
