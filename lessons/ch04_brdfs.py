@@ -330,7 +330,9 @@ For one $\omega_i$ it is a lobe over all $\omega_o$: how the light of the beam i
 lobe turns; [straight down](?theta_l=0), [low](?theta_l=75). Each channel has its own: the body sends back red, hardly any
 [green](?channel=1) or [blue](?channel=2), the varnish all alike.
 
-Its unit is 1/sr. The glass dome is $f = 1$. [Polish the varnish](?exponent=60).
+Its unit is 1/sr; the glass dome is $f = 1$. [Polish the varnish](?exponent=60).
+
+A real lamp has some size and measures a mean; [open it](?half_angle=20), [close it](?half_angle=1).
 """,
     scene=Scene(
         glsl="""
@@ -341,6 +343,7 @@ uniform float theta_l;
 uniform float theta_v;
 uniform float phi;
 uniform float exponent;
+uniform float half_angle;
 uniform int channel;
 
 const vec3 UP = vec3(0.0, 0.0, 1.0);
@@ -359,8 +362,8 @@ vec3 surface_point(int surface, vec2 s) {
     }
     if (surface == 1) return SCALE * cap_point(0.5 * PI, s.x, s.y);
     if (surface == 2) return vec3(1.9 * (2.0 * s - 1.0) * vec2(1.0, 0.8), -0.012);
-    vec3 a = normalize(cross(l, vec3(0.0, 1.0, 0.02))), b = cross(a, l); // the beam
-    return 2.6 * s.y * normalize(l + 0.045 * (cos(2.0 * PI * s.x) * a + sin(2.0 * PI * s.x) * b));
+    vec3 rim = cos(2.0 * PI * s.x) * direction_theta(theta_l, phi) + sin(2.0 * PI * s.x) * direction_phi(phi);
+    return 1.9 * s.y * (cos(half_angle) * l + sin(half_angle) * rim); // the beam
 }
 
 vec3 shade(Surface s) {
@@ -408,9 +411,8 @@ vec4 probe(int i) {
     ),
     models=(Model("varnished wood", Term("brdf_paint", {"k_s": 0.15})),),
     readouts=(
-        Readout("f for red", Term("brdf_paint", {"channel": 0, "k_s": 0.15}), role="exact", unit="1/sr"),
-        Readout("f for green", Term("brdf_paint", {"channel": 1, "k_s": 0.15}), role="exact", unit="1/sr"),
-        Readout("f for blue", Term("brdf_paint", {"channel": 2, "k_s": 0.15}), role="exact", unit="1/sr"),
+        Readout("f", Term("brdf_paint", {"k_s": 0.15}), role="exact", unit="1/sr"),
+        Readout("dL/dE with this lamp", Term("paint_measured", {"k_s": 0.15}), role="estimate", unit="1/sr", against="f"),
     ),
     ask=Prediction(
         question="No surface gives back more than it gets, and this varnish reflects 15 %. Can its BRDF be larger than 1?",
@@ -433,8 +435,8 @@ between lamp and eye counts here, the wood is isotropic. Common wrong answer: f 
     honesty="Exact for this paint, which is made up: matt red and a white highlight of 15 %, with no Fresnel term. Real varnish "
             "reflects more at a slant. The grain of the wood is painted on.",
     values=(Value("theta_l", 45.0, low=0.0, high=85.0), Value("theta_v", 32.0, low=0.0, high=89.0),
-            Value("exponent", 36.0, low=2.0, high=60.0), Value("channel", 0, choices=("red", "green", "blue")),
-            Value("phi", 160.0, more=True)),
+            Value("channel", 0, choices=("red", "green", "blue")), Value("half_angle", 4.0, low=0.5, high=25.0),
+            Value("exponent", 36.0, low=2.0, high=60.0, more=True), Value("phi", 160.0, more=True)),
     minutes=5,
 )
 

@@ -20,7 +20,7 @@ from app.optics.reflectance import (
     irradiance_absorbed,
 )
 from app.optics.sky import reflected_part, reflected_radiance, reflected_radiance_sum, sky_radiance, sun_share
-from app.optics.specimen import brdf_flawed, brdf_paint, hemisphere_meter
+from app.optics.specimen import brdf_flawed, brdf_paint, hemisphere_meter, paint_measured
 from app.optics.spherical import direction, light_direction, view_direction
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -156,3 +156,19 @@ def test_paint_is_sound_and_red():
     red, green, blue = brdf_paint(UP, l, v, np.arange(3), 0.15, 36.0)
     assert red > green > blue > 0
     assert (red - green) == pytest.approx(0.85 * (0.62 - 0.16) / pi, rel=1e-12), "the varnish is white"
+
+
+def test_a_measured_brdf_is_the_brdf_as_the_lamp_shrinks():
+    theta_l, phi, theta_v = 0.8, 2.8, 0.6
+    f = brdf_paint(UP, light_direction(theta_l, phi), view_direction(theta_v), 0, 0.15, 36.0)
+    off = paint_measured(theta_l, phi, theta_v, np.array([0.04, 0.02, 0.01]), 0, 0.15, 36.0) / f - 1
+    assert off[:2] / off[1:] == pytest.approx(4, rel=0.02), "half the lamp, a quarter of the error"
+    assert abs(off[2]) < 2e-3
+    matt = paint_measured(theta_l, phi, theta_v, 0.4, 1, 0.0, 36.0)
+    assert matt == pytest.approx(0.16 / pi, rel=1e-12), "with any lamp"
+
+
+def test_a_wide_lamp_on_the_normal_is_the_meter():
+    """A lamp that is the whole sky: the albedo over pi."""
+    whole = paint_measured(0.0, 0.0, 0.5, pi / 2, 0, 0.15, 20.0)
+    assert whole * pi == pytest.approx(0.85 * 0.62 + 0.15 * albedo_phong(0.5, 20.0), rel=1e-6)
