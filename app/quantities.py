@@ -193,6 +193,7 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # Phong and Blinn
     "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    "complaint": Quantity("k", "", 0, 4, 2, "which complaint about Blinn-Phong", kind="int"),
     # the reflectance equation
     "tile_rows": Quantity("N", "", 1, 24, 6, "rows of tiles from the pole to the horizon", (1, 32), "log", "int"),
     "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),

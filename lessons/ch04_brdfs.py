@@ -694,6 +694,697 @@ snow, 0.9, of charcoal, 0.04, and why a grey card is 18 %: it looks half as brig
     minutes=5,
 )
 
+# --- highlights: Phong, Blinn, and what they lack ---------------------------------------------------------------------
+PI = 3.141592653589793
+HIGHLIGHTS = ("Phong, as printed", "Phong, as a BRDF", "Blinn, as printed", "Blinn, as a BRDF")
+SWAPPED = {"theta_l": "theta_v", "theta_v": "theta_l"}
+
+PHONG = Step(
+    name="phong",
+    title="Phong: a highlight around the mirror direction",
+    idea="Phong's highlight is a power of the cosine between the eye and the mirror direction; as printed it is no BRDF.",
+    slides=("Specular BRDF – A Simple Model", "The Phong Model for Specular BRDF (1)",
+            "The Phong Model for Specular BRDF (2)", "The Phong Model for Specular BRDF (3)",
+            "Phong Model: The Reflection Vector"),
+    prose=r"""
+Varnish mirrors, but not sharply: it sends light *near* the $\colour{r}{\text{mirror direction}}$
+
+$$\colour{r}{r} = 2\,\colour{n}{n}\,(\colour{n}{n}\cdot\colour{l}{l}) - \colour{l}{l}$$
+
+Phong's guess of 1975: let it fall off as a power of a cosine. The exponent is the tightness.
+
+$$L_o = \left(k_d\,\colour{n}{n}\cdot\colour{l}{l} + k_s\,(\colour{r}{r}\cdot\colour{v}{v})^n\right) L_i$$
+
+Try [wide](?exponent=5), [tight](?exponent=200). The body shows $f = L_o/(L_i\,n\cdot l)$, the BRDF behind the formula.
+
+Now [low light](?theta_l=80). The highlight was printed without $n\cdot l$, so $f$ grows as $1/(n\cdot l)$, beyond all
+bounds, and [swapping](?theta_l=20&theta_v=70&phi=160) light and eye changes it. The cure puts the cosine back:
+[as a BRDF](?model=1), $k_d/\pi + k_s\frac{n+2}{2\pi}(r\cdot v)^n$.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/highlight.glsl"
+#include "display/lobe.glsl"
+#include "display/look.glsl"
+uniform int model;
+uniform float theta_l;
+uniform float theta_v;
+uniform float phi;
+uniform float k_d;
+uniform float k_s;
+uniform float exponent;
+
+const float TALL = 1.6;                      // the lobe for light from above
+const float LONGEST = 2.75;                  // where it is cut off
+const vec3 BALL = vec3(0.0, 0.0, -1.75);
+const vec3 UP = vec3(0.0, 0.0, 1.0);
+
+vec3 mirrored() {
+    return reflection_vector(UP, light_direction(theta_l, phi));
+}
+
+float length_along(vec3 d) {
+    vec3 l = light_direction(theta_l, phi);
+    float f = model == 0 ? brdf_phong_printed(UP, l, d, k_d, k_s, exponent) : brdf_phong(UP, l, d, k_d, k_s, exponent);
+    return TALL * lobe_radius(f, highlight_peak(model, k_d, k_s, exponent), 0.0);
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) {
+        vec3 d = lobe_direction(s, mirrored(), half_width_phong(exponent));
+        return d * min(length_along(d), LONGEST);
+    }
+    if (surface == 1) return vec3(1.6 * s.y * cos(2.0 * PI * s.x), 1.6 * s.y * sin(2.0 * PI * s.x), -0.01);
+    return BALL + 1.25 * sphere_point(s.x, s.y);
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 0) {
+        bool cut = length(s.position) > LONGEST - 0.01;
+        vec3 body = soft_light(palette[cut ? COLOUR_PRINTED : COLOUR_ESTIMATE], s.normal, s.v);
+        return mix(body, background, 0.35 * grid_lines(s.st, vec2(24.0, 12.0)));
+    }
+    if (s.id == 1) return mix(background, palette[COLOUR_QUIET], 0.28 + 0.25 * grid_lines(s.st, vec2(24.0, 4.0)));
+    vec3 n = normalize(s.position - BALL), l = light_direction(theta_l, phi);
+    float lit = max(dot(n, l), 0.0), gloss = model == 0 ? shading_phong(n, l, s.v, 0.0, k_s, exponent)
+        : PI * lit * brdf_phong(n, l, s.v, 0.0, k_s, exponent);
+    vec3 paint = vec3(0.85, 0.16, 0.10) * (k_d * lit + 0.02) + vec3(gloss);
+    return paint / (1.0 + 0.35 * paint);
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 l = light_direction(theta_l, phi);
+    if (mark == 0) return 1.9 * t * UP;
+    if (mark == 1) return 2.5 * t * l;
+    if (mark == 2) return 2.5 * t * mirrored();
+    if (mark == 3) return 2.5 * t * view_direction(theta_v);
+    if (mark == 4) return BALL + (1.3 + 0.9 * (1.0 - t)) * l;
+    float angle = theta_l * (2.0 * t - 1.0);
+    vec3 flat_l = vec3(cos(phi), sin(phi), 0.0);
+    return 0.75 * (cos(angle) * UP + sin(angle) * flat_l);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(2.5 * light_direction(theta_l, phi), 1.0);
+    return vec4(2.5 * view_direction(theta_v), 1.0);
+}
+""",
+        surfaces=(Surface("lobe", cells=(72, 48), opacity=0.92), Surface("floor", cells=(96, 1)),
+                  Surface("ball", cells=(64, 48))),
+        marks=(
+            Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+            Mark("mirror", colour="r", line="dotted", tip="arrow", label="r"),
+            Mark("to the eye", colour="v", tip="eye", label="v"), Mark("light on the ball", colour="l", tip="arrow"),
+            Mark("angles", segments=32, width=0.8),
+        ),
+        handles=(Handle("the light", 0, ("theta_l", "phi")), Handle("the eye", 1, ("theta_v",))),
+        legend=(("estimate", "f for this light"), ("printed", "cut off: it goes on")),
+        camera=Camera(azimuth=-82, elevation=12, distance=12.8, target=(0.0, 0.0, -0.35), field_of_view=26),
+    ),
+    plot=(
+        Curves("Leaves, over what arrives", "theta_l", (
+            Curve("as a BRDF", Term("highlight_flux", {"model": 1})),
+            Curve("as printed", Term("highlight_flux", {"model": 0}), role="printed")), y_label="share of what arrives"),
+        Slice("f in the plane of n and l", kind="angle"),
+        Lobes("f over all directions of the eye"),
+    ),
+    readouts=(
+        Readout("f, l to v", Term("highlight_brdf"), unit="1/sr"),
+        Readout("f, v to l", Term("highlight_brdf", SWAPPED), unit="1/sr"),
+        Readout("leaves, of what arrives", Term("highlight_flux"), unit=""),
+    ),
+    ask=Prediction(
+        question="The formula as printed, k_d = 0, k_s = 1, exponent 5, and light 85° from the normal. How much light leaves, "
+                 "over what arrives?",
+        truth=Term("highlight_flux", {"model": 0, "k_d": 0.0, "k_s": 1.0, "exponent": 5.0}),
+        unit="of it",
+        low=0.0,
+        high=4.0,
+        sets={"model": 0, "theta_l": 85.0, "exponent": 5.0, "k_d": 0.0, "k_s": 1.0},
+        told="2.23: more than twice what arrives. At 90° nothing arrives, and the highlight is as strong as ever.",
+    ),
+    notes="""
+Let the class build r with two pencils before the formula: project l on n, go there twice, come back. Then turn the exponent
+and name it: a knob, no physics. The prediction is the turn of the step: most say 1 at the most. Drag the light down and the
+body shoots out of the picture. Put the light behind the ball at a low exponent: its highlight ends on the shadow line as if
+cut with a knife. Ask which sides of the equation the missing cosine was on. Swapped at 0.3 and
+1.2 rad, azimuth 2.5, exponent 20: 1.2e-5 against 3.2e-5. So the energy badge, a sum over l, and the number here, a sum over
+v, differ. 6 minutes.
+""",
+    sources=("Deck, slides Specular BRDF - A Simple Model to Phong Model: The Reflection Vector", "Phong 1975, Illumination for "
+             "computer generated pictures", "Lewis 1994, Making shaders more physically plausible",
+             "Lafortune and Willems 1994, Using the modified Phong reflectance model"),
+    honesty="The two formulas are exact, and so are their fluxes. Each body is drawn to its own scale, the same length for light "
+            "from above. The ball has one lamp and no room; its highlights are compressed to fit the screen.",
+    values=(Value("model", 0, low=0, high=1, choices=HIGHLIGHTS[:2]), Value("exponent", 20.0, low=1.0, high=1000.0, scale="log"),
+            Value("theta_l", 50.0, low=0.0, high=89.0), Value("theta_v", 35.0, low=0.0, high=89.0),
+            Value("phi", 180.0, more=True), Value("k_d", 0.25, more=True), Value("k_s", 0.6, more=True)),
+    models=(Model("as printed", Term("brdf_phong_printed"), "printed"), Model("as a BRDF", Term("brdf_phong"))),
+    minutes=6,
+)
+
+BLINN = Step(
+    name="blinn",
+    title="Blinn: a highlight around the halfway vector",
+    idea="Blinn compares the halfway vector with the normal; at grazing angles its highlights stretch, as real ones do.",
+    slides=("The Blinn Model (1)", "The Blinn Model (2)", "The Blinn Model (3)"),
+    prose=r"""
+A small mirror sends light from $\colour{l}{l}$ to $\colour{v}{v}$ if its normal lies halfway between them:
+
+$$\colour{h}{h} = \frac{\colour{v}{v} + \colour{l}{l}}{|\colour{v}{v} + \colour{l}{l}|}, \qquad
+k_s\,(\colour{n}{n}\cdot\colour{h}{h})^{n'}$$
+
+So $(n\cdot h)$ asks how far the facets must tilt. Move the eye by an angle: $\colour{r}{r}$ is off by all of it,
+$\colour{h}{h}$ by half. For equal width Blinn's exponent is four times Phong's, and the two halves of the picture have that.
+
+Out of the plane it is different. Stand [high over the road](?theta_v=50&theta_l=50): nearly alike. Now [at eye level](?theta_v=80&theta_l=80): Phong
+mirrors round spots, Blinn draws streaks. Every photo of a wet road at night has streaks. Try a
+[smoother film](?exponent=600), a [drier road](?exponent=25).
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/blinn_phong.glsl"
+#include "display/palette.glsl"
+uniform float theta_v;
+uniform float exponent;
+
+const float LAMP_DISTANCE = 30.0, LAMP_HEIGHT = 4.0; // of the nearest lamp, which mirrors at theta_v
+const float HALF_VIEW = 0.45;                        // tangent of half the field of view
+const float OFF = 0.35;                              // how far the drawn eye is off the mirror direction
+const vec3 DRAWING = vec3(0.0, -0.1, 1.2);
+
+// The picture is a card; behind it a road along +y, mirrored at its middle. Left: Phong, right: Blinn.
+vec3 surface_point(int surface, vec2 s) {
+    return vec3(4.4 * s.x - 2.2, 0.0, 4.4 * s.y - 2.2);
+}
+
+float random(float x) {
+    return fract(sin(x * 12.9898) * 43758.547);
+}
+
+vec3 city(vec3 d) {
+    float a = 26.0 * abs(d.x) / d.y + 3.0, up = 26.0 * d.z / d.y, block = floor(a);
+    float roof = 0.35 + 1.7 * random(block) * random(block + 7.0);
+    vec3 night = mix(vec3(0.045, 0.05, 0.085), vec3(0.006, 0.008, 0.02), smoothstep(0.0, 4.0, up));
+    if (up > roof) return night;
+    vec2 pane = vec2(fract(a) * 6.0, up * 8.0);
+    bool lit = random(floor(pane.x) + 9.0 * floor(pane.y) + 31.0 * block) > 0.72 && up > 0.12;
+    vec2 at = abs(fract(pane) - 0.5);
+    return lit && max(at.x, at.y) < 0.3 ? vec3(0.50, 0.36, 0.17) : vec3(0.010, 0.011, 0.016);
+}
+
+vec3 lamp_position(int i) {
+    if (i == 0) return vec3(2.3, LAMP_DISTANCE, LAMP_HEIGHT);
+    return i == 1 ? vec3(9.6, 1.7 * LAMP_DISTANCE, 1.25 * LAMP_HEIGHT) : vec3(1.3, 2.6 * LAMP_DISTANCE, 0.8 * LAMP_HEIGHT);
+}
+
+vec3 lamp_colour(int i) {
+    return i == 0 ? vec3(1.0, 0.62, 0.25) : i == 1 ? vec3(0.55, 0.75, 1.0) : vec3(1.0, 0.10, 0.06);
+}
+
+vec3 shade(Surface s) {
+    bool phong = s.st.x < 0.5;
+    float high = max(LAMP_DISTANCE / tan(theta_v) - LAMP_HEIGHT, 0.3), down = 0.5 * PI - theta_v - 0.06;
+    vec2 at = HALF_VIEW * vec2(abs(2.0 * s.st.x - 1.0), (2.0 * s.st.y - 1.0));
+    vec3 d = normalize(vec3(at.x, cos(down) + at.y * sin(down), at.y * cos(down) - sin(down)));
+    vec3 eye = vec3(0.0, 0.0, high), glow = vec3(0.0);
+    for (int i = 0; i < 3; i++) {
+        vec3 to = lamp_position(i) - eye;
+        float off = length(cross(d, to)) / 0.45;
+        glow += lamp_colour(i) * (off < 1.0 && dot(d, to) > 0.0 ? 1.7 : 0.10 / (off * off + 1.0));
+    }
+    if (d.z > -0.004) return min(city(d) + glow, 1.0);
+    vec3 p = eye - d * (high / d.z), n = vec3(0.0, 0.0, 1.0), light = vec3(0.0);
+    float tight = blinn_exponent(exponent), exposure = 1.3 / cos(theta_v);
+    if (!phong) exposure *= normalisation_blinn_phong(tight) / normalisation_phong(exponent);
+    for (int i = 0; i < 3; i++) {
+        vec3 to = lamp_position(i) - p, l = normalize(to);
+        float lobe = phong ? lobe_phong(n, l, -d, exponent) : lobe_blinn(n, l, -d, tight);
+        light += lamp_colour(i) * (lobe * l.z * exposure);
+    }
+    float far = length(p - eye), line = step(abs(p.x - 5.0), 0.10) + step(abs(p.x - 1.1), 0.06) * step(fract(p.y / 6.0), 0.5);
+    light += vec3(0.10) * line / (1.0 + 0.02 * far) + vec3(0.006, 0.007, 0.010) + glow * 0.2;
+    return light / (1.0 + light);
+}
+
+vec3 drawn(float angle) {
+    return vec3(sin(angle), 0.0, cos(angle));
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return vec3(0.0, -0.05, 4.4 * t - 2.2);
+    if (mark == 1) return DRAWING + 0.62 * t * drawn(0.0);
+    if (mark == 2) return DRAWING + 1.25 * t * drawn(-theta_v);
+    if (mark == 3) return DRAWING + 1.25 * t * drawn(theta_v - OFF);
+    if (mark == 4) return DRAWING + 0.62 * t * drawn(-0.5 * OFF);
+    if (mark == 5) return DRAWING + 1.05 * t * drawn(theta_v);
+    if (mark == 6) return DRAWING + 0.85 * drawn(theta_v - OFF * t);
+    if (mark == 7) return DRAWING + 0.45 * drawn(-0.5 * OFF * t);
+    return DRAWING + vec3(2.4 * t - 1.2, 0.0, 0.0);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(DRAWING + 1.25 * drawn(-theta_v), 1.0);
+    return vec4(i == 1 ? -1.85 : 1.85, -0.1, 1.3, 1.0);
+}
+""",
+        surfaces=(Surface("wet road", cells=(1, 1)),),
+        marks=(
+            Mark("middle", colour="exact", line="dashed", width=0.7),
+            Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+            Mark("to the eye", colour="v", tip="eye", label="v"),
+            Mark("halfway", colour="h", line="dashed", tip="arrow", label="h"),
+            Mark("mirror", colour="r", line="dotted", tip="arrow", label="r"),
+            Mark("off r", colour="r", segments=12), Mark("off n", colour="h", segments=8), Mark("surface", colour="quiet"),
+        ),
+        labels=(Label("Phong", 1), Label("Blinn", 2)),
+        handles=(Handle("the light", 0, ("theta_v",)),),
+        legend=(("r", "v off r"), ("h", "h off n: half of it")),
+        camera=Camera(azimuth=-90, elevation=0, distance=12.0, target=(0.0, 0.0, 0.0), field_of_view=21.5),
+    ),
+    plot=(
+        Curves("Length of the highlight over its width", "theta_v", (
+            Curve("Blinn", Term("highlight_stretch")),
+            Curve("Phong", Term("highlight_stretch", {"theta_v": 0.0}), role="estimate")), y_label="times"),
+        Slice("f in the plane of n and l", kind="angle"),
+        Lobes("f, equally wide in the plane of l and n",
+              camera=Camera(azimuth=24, elevation=30, distance=4.3, target=(0.1, 0.0, 0.25))),
+    ),
+    readouts=(
+        Readout("Blinn's exponent n'", Term("blinn_exponent"), role="exact", unit=""),
+        Readout("4 n", Term("blinn_exponent_short"), role="estimate", unit="", against="Blinn's exponent n'"),
+        Readout("Blinn: length / width", Term("highlight_stretch"), unit=""),
+    ),
+    ask=Prediction(
+        question="A lamp mirrored in a wet road, seen at eye level, 80° from the normal. In Blinn's model, how long is its "
+                 "highlight, over its width?",
+        truth=Term("highlight_stretch", {"theta_v": 1.3962634015954636}),
+        unit="times",
+        choices=(Choice("as long as wide: lamps are round", 0.9, 1.1), Choice("twice as long", 1.8, 2.2),
+                 Choice("nearly six times as long", 5.5, 6.0)),
+        sets={"theta_v": 80.0, "theta_l": 80.0},
+        told="5.8 times: 1/cos 80°. Along the road h turns half as far as the eye; across it, at a glancing angle, nearly three "
+             "times as far. So the streak is narrow.",
+    ),
+    notes="""
+Ask for a photo of a wet street at night; someone has one. Which half of the picture is it? Then why: lay two pencils nearly
+flat, l and v, and turn v sideways by a little: their bisector swings wildly. Turn it up by as much: half. "Faster to compute",
+says the slide. Count: r.v = 2 (n.l)(n.v) - l.v needs no root; h needs one. Only with the sun and a far eye is h constant
+and Blinn the faster one. Ngan and others fitted a hundred measured materials: half vectors win. 6 minutes.
+""",
+    sources=("Deck, slides The Blinn Model (1) to (3)", "Blinn 1977, Models of light reflection for computer synthesized pictures",
+             "Fisher and Woo 1994, R.E versus N.H specular highlights", "Ngan, Durand and Matusik 2005, Experimental analysis "
+             "of BRDF models"),
+    honesty="Both halves are normalised BRDFs, evaluated for each pixel; the lamps' light does not fall off with distance, and the "
+            "exposure follows the exponent. The road is flat, the city painted, bright spots are compressed. 1/cos is the limit for tight highlights.",
+    values=(Value("theta_v", 79.0, low=45.0, high=81.0), Value("exponent", 150.0, low=8.0, high=1000.0, scale="log"),
+            Value("theta_l", 79.0, low=0.0, high=89.0, more=True), Value("phi", 180.0, more=True)),
+    models=(Model("Phong", Term("brdf_phong", {"k_d": 0.0, "k_s": 1.0})),
+            Model("Blinn, equally wide", Term("brdf_blinn_phong_as_wide", {"k_d": 0.0, "k_s": 1.0}), "h")),
+    minutes=6,
+)
+
+NORMALISATION = Step(
+    name="normalisation",
+    title="The importance of being normalised",
+    idea="A tighter highlight must be a brighter one: only a factor that grows with the exponent keeps its flux.",
+    slides=("Is the Phong-Blinn Model Realistic?", "The Importance of Being Normalized (1)",
+            "The Importance of Being Normalized (2)", "Normalized Blinn-Phong Model"),
+    prose=r"""
+Polish a ball. Its highlight shrinks, and all the light that was spread over a wide spot now goes into a small one: it
+must become brighter.
+
+In the $\colour{printed}{\text{upper row}}$ it does not. Its peak is $k_s$ whatever the exponent, so the flux under it, the bar,
+goes with the width:
+
+$$\colour{printed}{\int_\Omega (n\cdot h)^n \cos\theta\,d\omega} = \frac{8\pi\,(n + 2^{-n/2})}{(n+2)(n+4)}$$
+
+[Exponent 5](?exponent=5): twice what arrives. [Exponent 1000](?exponent=1000): a fortieth. An artist then turns $k_s$ up
+by hand, after every polish again.
+
+The $\colour{exact}{\text{lower row}}$ divides by the integral. Now the exponent changes the shape alone, and $k_s$ is what it
+says: the share sent back.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/highlight.glsl"
+#include "display/balls.glsl"
+#include "display/palette.glsl"
+uniform float exponent;
+uniform float k_s;
+
+const vec3 LAMP = vec3(-0.42, -0.68, 0.60);
+const float METER = 1.15; // length of a bar that shows 1
+
+bool below(int i) {
+    return i % 2 == 1; // the normalised row
+}
+
+float exponent_of(int i) {
+    return i < 2 ? exponent : 5.0 * pow(8.0, float((i - 2) / 2)); // 5, 40, 320
+}
+
+vec3 ball_centre(int i) {
+    float z = below(i) ? -1.42 : 1.42;
+    return i < 2 ? vec3(-2.35, 0.0, z) : vec3(-0.25 + 1.5 * float((i - 2) / 2), 0.0, z);
+}
+
+float share(int i) {
+    return highlight_flux(below(i) ? 3 : 2, 0.0, 0.0, k_s, exponent_of(i));
+}
+
+vec3 meter_foot(int i) {
+    return ball_centre(i) + vec3(i < 2 ? 1.13 : 0.70, -0.05, -0.62);
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) {
+        int i = ball_number(s, 8);
+        return ball_centre(i) + (i < 2 ? 1.05 : 0.62) * ball_point(s, 8);
+    }
+    int i = surface - 1;
+    return meter_foot(i) + vec3(0.14 * s.x, 0.0, METER * min(share(i), 2.15) * s.y);
+}
+
+vec3 shade(Surface s) {
+    if (s.id > 0) {
+        vec3 bar = palette[below(s.id - 1) ? COLOUR_EXACT : COLOUR_PRINTED];
+        return s.position.z > meter_foot(s.id - 1).z + METER + 0.001 ? 0.6 * bar : bar;
+    }
+    int i = ball_number(s.st, 8);
+    vec3 n = normalize(s.position - ball_centre(i));
+    float e = exponent_of(i), lit = max(dot(n, LAMP), 0.0);
+    float gloss = below(i) ? brdf_blinn_phong(n, LAMP, s.v, 0.0, k_s, e) * lit : shading_blinn_phong(n, LAMP, s.v, 0.0, k_s, e);
+    return vec3(1.0) - exp(-1.3 * (vec3(0.10, 0.20, 0.42) * (0.5 * lit + 0.10) + gloss));
+}
+
+vec3 mark_point(int mark, float t) {
+    return meter_foot(mark) + vec3(0.26 * t - 0.06, -0.02, METER);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(meter_foot(0) + vec3(0.07, 0.0, METER * min(share(0), 2.15)), 1.0);
+    if (i == 1) return vec4(meter_foot(1) + vec3(0.07, 0.0, METER * share(1)), 1.0);
+    if (i < 6) return vec4(ball_centre(2 * (i - 2)).x, 0.0, 0.10, 1.0);
+    return vec4(-2.3, 0.0, i == 6 ? 2.72 : -2.72, 1.0);
+}
+""",
+        surfaces=(Surface("balls", cells=(199, 36)), *(Surface(f"flux meter {i}", cells=(1, 1)) for i in range(8))),
+        marks=tuple(Mark(f"what arrives {i}", colour="quiet") for i in range(8)),
+        labels=(Label("n: yours", 2), Label("5", 3), Label("40", 4), Label("320", 5), Label("as printed", 6, "printed"),
+                Label("normalised", 7)),
+        handles=(Handle("the exponent", 0, ("exponent",)), Handle("the share", 1, ("k_s",))),
+        camera=Camera(azimuth=-90, elevation=0, distance=15.5, target=(-0.05, 0.0, 0.0), field_of_view=25),
+        legend=(("quiet", "bars: flux; line: what arrives"),),
+    ),
+    plot=Curves("Flux under the highlight, light from above", "exponent", (
+        Curve("normalised", Term("highlight_flux", {"model": 3, "theta_l": 0.0, "k_d": 0.0})),
+        Curve("as printed", Term("highlight_flux", {"model": 2, "theta_l": 0.0, "k_d": 0.0}), role="printed")),
+        y_label="share of the flux that arrives", y_scale="log", x_scale="log"),
+    readouts=(
+        Readout("as printed, leaves", Term("highlight_flux", {"model": 2, "theta_l": 0.0, "k_d": 0.0}), unit=""),
+        Readout("normalised, leaves", Term("highlight_flux", {"model": 3, "theta_l": 0.0, "k_d": 0.0}), role="exact", unit=""),
+        Readout("the factor", Term("normalisation_blinn_phong"), unit="1/sr"),
+    ),
+    ask=Prediction(
+        question="As printed, k_s = 1, light from above. At exponent 10 the surface sends back 1.5 times what arrives. You raise "
+                 "the exponent to 100. How much now?",
+        truth=Term("highlight_flux", {"model": 2, "theta_l": 0.0, "k_d": 0.0, "k_s": 1.0, "exponent": 100.0}),
+        unit="of it",
+        low=0.0,
+        high=2.0,
+        sets={"exponent": 100.0, "k_s": 1.0},
+        told="0.24. The peak stayed and the spot shrank: six times less light, from the same lamp on the same varnish.",
+    ),
+    notes="""
+Ask first: raise the exponent, brighter peak, same flux? Nearly all say yes, because polish does that; the formula does
+not. Cover the upper row and let them judge the lower: the small highlight hurts the eye, as on chrome. Then the bars. Point
+out that at exponent 5 the printed formula makes light; a room of such walls would explode. "Must be constant", says the
+slide: it means with the exponent. In a white furnace the middle of a normalised ball shows the same number as its bar, by
+reciprocity; the printed formula is not reciprocal, and its energy badge, a sum over l, shows another one. 5 minutes.
+""",
+    sources=("Deck, slides Is the Phong-Blinn Model Realistic? to Normalized Blinn-Phong Model",
+             "Giesen 2009, Derivation of Phong and Blinn-Phong BRDF normalization factors"),
+    honesty="Bars and numbers are exact, for light along the normal; bars longer than 2.15 are cut off. The balls' brightness is "
+            "compressed to fit the screen, the same in both rows; their blue is a look.",
+    values=(Value("exponent", 30.0, low=1.0, high=1000.0, scale="log"), Value("k_s", 1.0, low=0.05, high=1.0)),
+    models=(Model("as printed", Term("brdf_blinn_phong_printed", {"k_d": 0.0}), "printed"),
+            Model("normalised", Term("brdf_blinn_phong", {"k_d": 0.0}))),
+    minutes=5,
+)
+
+BLINN_PHONG_BRDF = Step(
+    name="blinn_phong_brdf",
+    title="The complete Blinn-Phong BRDF, in a furnace",
+    idea="The factor is exact seen along the normal; at a slant Blinn-Phong loses light, down to the cosine squared.",
+    slides=("Converting the Blinn-Phong Model to BRDF", "Blinn-Phong BRDF (1)", "Blinn-Phong BRDF (2)"),
+    prose=r"""
+From shading formula to BRDF in three moves: take out the cosine, divide the diffuse part by $\pi$, multiply the highlight by
+$f_n$.
+
+$$f = \frac{k_d}{\pi} + k_s\,\frac{(n+2)(n+4)}{8\pi(n+2^{-n/2})}\,(\colour{n}{n}\cdot\colour{h}{h})^n, \qquad k_d + k_s \le 1$$
+
+To test it, heat a furnace until all glows alike and put the ball in. A ball that gives back all it gets
+[cannot be seen](?k_d=1&k_s=0). Now [highlight only](?k_d=0&k_s=1): the middle is exact, the rim goes dark. The slide demands
+the integral for $v = n$; walk the $\colour{v}{\text{ring}}$ out, and for high exponents $\cos^2\theta$ is left.
+
+[Promise too much](?k_d=0.7&k_s=0.6), and the ball outshines the furnace. Below, the exact factor and three common
+short cuts.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/blinn_phong.glsl"
+#include "display/palette.glsl"
+uniform float theta_v;
+uniform float exponent;
+uniform float k_d;
+uniform float k_s;
+
+const float DEEP = 0.02; // a ball stands out from the card by this times the share it gives back
+const vec3 LARGE = vec3(0.0, 0.0, 0.72);
+const float SIZE = 1.5;
+
+vec3 small(int i) {
+    return vec3(1.32 * (float(i) - 1.5), 0.0, -1.72);
+}
+
+float factor(int i) { // of the small balls, over the exact one
+    if (i == 0) return 1.0;
+    return normalisation_short_share(exponent, i == 1 ? 8.0 : i == 2 ? 6.0 : 2.0);
+}
+
+// Balls seen from far away: discs, whose share at each corner is carried by the depth
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return vec3(5.6 * s.x - 2.8, 0.1, 5.3 * s.y - 2.9);
+    float theta = 0.5 * PI * s.y, turn = 2.0 * PI * s.x;
+    vec3 out_from = sin(theta) * vec3(cos(turn), 0.0, sin(turn));
+    if (surface == 1) {
+        float share = k_d + k_s * albedo_blinn_phong(theta, exponent);
+        return LARGE + SIZE * out_from - vec3(0.0, DEEP * share, 0.0);
+    }
+    float share = factor(surface - 2) * albedo_blinn_phong(theta, exponent);
+    return small(surface - 2) + 0.55 * out_from - vec3(0.0, DEEP * share, 0.0);
+}
+
+vec3 shade(Surface s) {
+    vec3 heat = vec3(0.50, 0.47, 0.43);
+    if (s.id == 0) return heat;
+    float share = max(-s.position.y / DEEP, 0.0);
+    bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 3.0;
+    return share > 1.0005 && stripe ? palette[COLOUR_PRINTED] : heat * share;
+}
+
+vec3 place(float turn) {
+    return LARGE + vec3(SIZE * sin(theta_v) * cos(turn), -0.1, SIZE * sin(theta_v) * sin(turn));
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return place(2.0 * PI * t);
+    if (mark == 1) return LARGE + 1.005 * SIZE * vec3(cos(2.0 * PI * t), -0.08, sin(2.0 * PI * t));
+    return small(mark - 2) + 0.555 * vec3(cos(2.0 * PI * t), -0.16, sin(2.0 * PI * t));
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(place(0.7), 1.0);
+    return vec4(small(i - 1) + vec3(0.0, -0.1, -0.7), 1.0);
+}
+""",
+        surfaces=(Surface("furnace", cells=(1, 1)), Surface("ball", cells=(64, 24)),
+                  *(Surface(name, cells=(40, 14)) for name in ("exact factor", "n + 8", "n + 6", "n + 2"))),
+        marks=(Mark("angle", colour="v", segments=64, width=1.3), Mark("outline", colour="quiet", line="dotted", segments=96),
+               *(Mark(f"outline {i}", colour="quiet", line="dotted", segments=64) for i in range(4))),
+        labels=(Label("exact", 1), Label("n + 8", 2), Label("n + 6", 3), Label("n + 2", 4)),
+        handles=(Handle("the ring", 0, ("theta_v",)),),
+        legend=(("printed", "more than it gets"),),
+        camera=Camera(azimuth=-90, elevation=0, distance=40.0, target=(0.0, 0.0, -0.22), field_of_view=8.2),
+    ),
+    plot=(
+        Curves("Share given back, against the angle", "theta_v", (
+            Curve("the ball", Term("highlight_flux", {"model": 3, "theta_l": "theta_v"})),
+            Curve("highlight alone, k_s = 1", Term("albedo_blinn_phong"), role="estimate"),
+            Curve("cos² θ", Term("albedo_blinn_phong_limit"), role="printed")), y_label="share of the light"),
+        Curves("Short cuts: what comes back along the normal", "exponent", (
+            Curve("exact", Term("albedo_blinn_phong", {"theta_v": 0.0})),
+            Curve("n + 8", Term("normalisation_short_share", {"summand": 8.0}), role="estimate"),
+            Curve("n + 6", Term("normalisation_short_share", {"summand": 6.0}), role="printed"),
+            Curve("n + 2", Term("normalisation_short_share", {"summand": 2.0}))),
+            y_label="share of the light", x_scale="log"),
+    ),
+    readouts=(
+        Readout("gives back at the ring", Term("highlight_flux", {"model": 3, "theta_l": "theta_v"}), unit=""),
+        Readout("seen along the normal", Term("highlight_flux", {"model": 3, "theta_l": 0.0}), unit=""),
+        Readout("f_n, exact", Term("normalisation_blinn_phong"), role="exact", unit="1/sr"),
+        Readout("(n + 8) / 8π", Term("normalisation_short", {"summand": 8.0}), role="estimate", unit="1/sr",
+                against="f_n, exact"),
+    ),
+    ask=Prediction(
+        question="A white highlight, k_s = 1 and exponent 100. Along the normal it gives back all the light. What share at 60°?",
+        truth=Term("albedo_blinn_phong", {"theta_v": PI / 3, "exponent": 100.0}),
+        unit="of it",
+        low=0.0,
+        high=1.0,
+        sets={"theta_v": 60.0, "exponent": 100.0, "k_d": 0.0, "k_s": 1.0},
+        told="0.265. Nothing was absorbed; the model lost it. A real rough metal would still give back most of it.",
+    ),
+    notes="""
+The furnace is the sharpest test of a BRDF and needs no lamp: what differs from the wall is an error, or paint. Let them guess
+what a perfect mirror ball looks like in it: nothing at all. The slide's integral is printed without f_n; as it stands it is
+3.14 at exponent 0 and 0.24 at 100. Why is v = n the right place to normalise? It is where most comes back, so k_s + k_d ≤ 1 is
+safe everywhere. Short cuts: n + 8 makes up to 7.5 % too much near 10, n + 2 loses two thirds at 1. 6 minutes.
+""",
+    sources=("Deck, slides Converting the Blinn-Phong Model to BRDF, Blinn-Phong BRDF (1) and (2)",
+             "Giesen 2009, Derivation of Phong and Blinn-Phong BRDF normalization factors",
+             "Akenine-Moller, Haines and Hoffman 2008, Real-Time Rendering: n + 8"),
+    honesty="Shares are exact at 25 angles a ball and interpolated between, for an eye far away. The walls show half the "
+            "screen's white, so that more than all can be seen; the stripes mark it.",
+    values=(Value("k_d", 0.3), Value("k_s", 0.7), Value("exponent", 60.0, low=1.0, high=1000.0, scale="log"),
+            Value("theta_v", 55.0, low=0.0, high=90.0)),
+    models=(Model("Blinn-Phong", Term("brdf_blinn_phong")),),
+    minutes=6,
+)
+
+COMPLAINTS = ("coefficients are guessed", "they change with the angle", "metals", "the exponent", "light is lost")
+
+WHY_PHYSICAL = Step(
+    name="why_physical",
+    title="Why a physical model is needed",
+    idea="Blinn-Phong has knobs and no material: what it must be told by hand, the physics of a surface knows.",
+    slides=("Need for a Physically-based Reflectance Model",),
+    prose=r"""
+Five balls. Each left half is Blinn-Phong with the best numbers straight on; each right half is what the surface does.
+
+[Guessed](?complaint=0): 0.8 red and 0.5 gloss looked fine on the screen. It is 1.3 times the light. Plastic is told by one
+number, its index.
+
+[Angle](?complaint=1): the mirror of plastic goes from 0.04 to 1 towards the rim; $k_s$ stays.
+
+[Metal](?complaint=2): gold is yellow straight on and white at the rim. A colour $k_s$ cannot do both.
+
+[Exponent](?complaint=3): sectors in equal steps. From 10 to 910 all the change is in the first; the width goes with
+$1/\sqrt n$. Steps of a slope $m$ look equal.
+
+[Lost](?complaint=4): in a furnace the rim goes dark, though nothing absorbs.
+
+The next chapters mend all five.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/blinn_phong.glsl"
+#include "optics/materials.glsl"
+#include "display/balls.glsl"
+#include "display/studio.glsl"
+#include "display/look.glsl"
+#include "stage/camera.glsl"
+uniform int complaint;
+uniform float theta;
+
+const vec3 RED = vec3(0.80, 0.06, 0.05);
+
+vec3 ball_centre(int i) {
+    return i < 3 ? vec3(2.5 * float(i - 1), 0.0, 1.4) : vec3(2.9 * (float(i) - 3.5), 0.0, -1.4);
+}
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 1) return ball_centre(4) + vec3(2.6 * s.x - 1.3, 1.3, 2.5 * s.y - 1.25);
+    return ball_centre(ball_number(s, 5)) + ball_point(s, 5);
+}
+
+// Equal steps on a half pie: of the exponent on the left, of the facets' slope on the right
+float exponent_here(vec3 p, bool model) {
+    float sector = floor(4.0 * arctan2(abs(p.x), -p.z) / PI), m = 0.45 - 0.125 * sector;
+    return model ? 10.0 + 300.0 * sector : 2.0 / (m * m) - 2.0;
+}
+
+vec3 shade(Surface s) {
+    vec3 furnace = vec3(0.62, 0.58, 0.53);
+    if (s.id == 1) return furnace;
+    int i = ball_number(s.st, 5);
+    vec3 p = s.position - ball_centre(i), n = normalize(p), mirrored = max(studio(reflect(-s.v, n)), 0.0);
+    bool model = p.x < 0.0;
+    float c = max(dot(n, s.v), 0.0), f = f_dielectric(c, 1.5);
+    if (abs(p.x) < 0.012) return background;
+    if (i == 0) return model ? soft_light(RED, n, s.v) + 0.5 * mirrored : soft_light(RED * (1.0 - f), n, s.v) + f * mirrored;
+    if (i == 1) return soft_light(vec3(0.02, 0.05, 0.10) * (1.0 - f), n, s.v) + (model ? f0_from_eta(1.5) : f) * mirrored;
+    if (i == 2) return max(f_material(model ? 1.0 : c, 5), 0.0) * mirrored;
+    if (i == 4) return furnace * (model ? albedo_blinn_phong_limit(arctan2(length(cross(n, s.v)), c)) : 1.0);
+    float e = exponent_here(p, model);
+    return soft_light(vec3(0.10, 0.13, 0.19), n, s.v) + vec3(lobe_blinn(n, s.v, s.v, e));
+}
+
+vec3 place(float turn) {
+    vec3 c = ball_centre(complaint), v = normalize(camera_position - c);
+    vec3 side = normalize(cross(v, vec3(0.0, 0.0, 1.0))), up = cross(side, v);
+    return c + 1.01 * (cos(theta) * v + sin(theta) * (cos(turn) * side + sin(turn) * up));
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 1) return place(2.0 * PI * t);
+    return ball_centre(complaint) + 1.1 * vec3(cos(2.0 * PI * t), 0.0, sin(2.0 * PI * t));
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(place(0.7), 1.0);
+    if (i > 5) return vec4(i == 6 ? -2.0 : 2.0, 0.0, 2.72, 1.0);
+    return vec4(ball_centre(i - 1) + vec3(0.0, 0.0, -1.28), 1.0);
+}
+""",
+        surfaces=(Surface("balls", cells=(124, 36)), Surface("furnace", cells=(1, 1))),
+        marks=(Mark("chosen", colour="exact", line="dashed", segments=64), Mark("angle", colour="v", segments=64, width=1.3)),
+        labels=(Label("guessed", 1), Label("angle", 2), Label("metal", 3), Label("exponent", 4), Label("lost", 5),
+                Label("left: Blinn-Phong", 6, "printed"), Label("right: the surface", 7)),
+        handles=(Handle("the angle", 0, ("theta",)),),
+        camera=Camera(azimuth=-90, elevation=2, distance=32, target=(0.0, 0.0, 0.0), field_of_view=12.8),
+    ),
+    plot=Curves("The chosen complaint", "theta", (
+        Curve("the surface", Term("complaint_truth")),
+        Curve("Blinn-Phong", Term("complaint_model"), role="printed")), y_label="share of the light; of the width"),
+    readouts=(
+        Readout("the surface", Term("complaint_truth"), role="exact", unit=""),
+        Readout("Blinn-Phong", Term("complaint_model"), role="printed", unit="", against="the surface"),
+    ),
+    ask=Prediction(
+        question="Straight on gold reflects 0.37 of the blue; that is why it is yellow. How much of the blue at 85°?",
+        truth=Term("complaint_truth", {"complaint": 2, "theta": 1.4835298641951802}),
+        unit="of it",
+        low=0.0,
+        high=1.0,
+        sets={"complaint": 2, "theta": 85.0},
+        told="0.75. At the rim gold is nearly white, like every metal. A constant k_s keeps it yellow there.",
+    ),
+    notes="""
+Go ball by ball and let them say what is wrong with the left half before you do. The first one gives most trouble: it looks good.
+That is the point, a look is all that guessing can be checked against, until a second lamp comes on. For the exponent, ask
+who has ever typed 910; then show that the slope of the facets is a length over a length and can be measured. The deck's slide has
+four complaints; the fifth is from the step before. 4 minutes.
+""",
+    sources=("Deck, slide Need for a Physically-based Reflectance Model", "Fresnel 1823", "Johnson and Christy 1972: n, k of gold"),
+    honesty="Shares are exact for a smooth plastic of index 1.5 and for gold; that 0.8 of what enters the plastic comes out is "
+            "set. The room is painted; reflections in it are sharp. The furnace shows the limit of a high exponent.",
+    values=(Value("complaint", 2, choices=COMPLAINTS), Value("theta", 70.0, low=0.0, high=89.0)),
+    minutes=4,
+)
+
+# --- exercises --------------------------------------------------------------------------------------------------------
 LEFT, RIGHT, BELOW, FLAT = (-0.6, 0.0, 0.8), (0.6, 0.0, 0.8), (0.6, 0.0, -0.8), (0.0, -0.96, 0.28)
 
 LAMBERT_EXERCISE = Exercise(
@@ -734,13 +1425,73 @@ def brdf_lambert(n, l, v, rho):
     ),
 )
 
+NEAR_RIGHT = (0.5, 0.1, 0.860232526704)  # a little beside the mirror direction of LEFT
+
+BLINN_PHONG_EXERCISE = Exercise(
+    name="blinn_phong",
+    function="brdf_blinn_phong",
+    task="Write the complete Blinn-Phong BRDF, normalised. It has no cosine, its diffuse part has a π, and light or eye below "
+         "the surface give 0.",
+    slide="Blinn-Phong BRDF (2)",
+    stubs={"python": '''import numpy as np
+
+
+def brdf_blinn_phong(n, l, v, k_d, k_s, exponent):
+    """The BRDF in 1/sr. n, l, v: (..., 3), unit vectors; k_d, k_s, exponent: (...)."""
+    return np.zeros(np.shape(n)[:-1])
+''', "glsl": '''float brdf_blinn_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
+    return 0.0;
+}
+'''},
+    solutions={"python": '''import numpy as np
+
+
+def dot(a, b):
+    return np.sum(a * b, -1)
+
+
+def brdf_blinn_phong(n, l, v, k_d, k_s, exponent):
+    """Diffuse over pi, and the highlight times the factor that makes it 1 along the normal."""
+    h = l + v
+    size = np.sqrt(dot(h, h))
+    h = h / np.where(size > 0, size, 1)[..., None]
+    below = 0.5 * dot(n - h, n - h)  # 1 - n.h, without losing digits
+    lobe = np.exp(exponent * np.log1p(-np.minimum(below, 1 - 1e-12)))
+    factor = (exponent + 2) * (exponent + 4) / (8 * np.pi * (exponent + np.exp2(-exponent / 2)))
+    above = (dot(n, l) > 0) & (dot(n, v) > 0)
+    return np.where(above, k_d / np.pi + k_s * factor * lobe, 0.0)
+''', "glsl": '''float brdf_blinn_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
+    if (dot(n, l) <= 0.0 || dot(n, v) <= 0.0) return 0.0;
+    vec3 h = normalize(l + v);
+    float e = exponent, factor = (e + 2.0) * (e + 4.0) / (8.0 * 3.14159265358979 * (e + exp2(-0.5 * e)));
+    return k_d / 3.14159265358979 + k_s * factor * pow(max(dot(n, h), 0.0), e);
+}
+'''},
+    checks=(
+        Check({"n": (UP, UP), "l": (UP, LEFT), "v": (UP, NEAR_RIGHT), "k_d": (1.0, 0.5), "k_s": (0.0, 0.0),
+               "exponent": (20.0, 20.0)}, "diffuse alone: k_d/π"),
+        Check({"n": (UP, UP, UP), "l": (UP, UP, UP), "v": (UP, UP, UP), "k_d": (0.0, 0.0, 0.0), "k_s": (1.0, 1.0, 1.0),
+               "exponent": (0.0, 1.0, 10.0)}, "along the normal: the factor, and exponent 0 is white and matt"),
+        Check({"n": (UP, UP, UP), "l": (LEFT, LEFT, FLAT), "v": (NEAR_RIGHT, UP, RIGHT), "k_d": (0.3, 0.1, 0.0),
+               "k_s": (0.6, 0.9, 1.0), "exponent": (30.0, 5.0, 2.0)}, "from several sides"),
+        Check({"n": (UP, UP, UP), "l": (BELOW, LEFT, LEFT), "v": (RIGHT, BELOW, NEAR_RIGHT), "k_d": (0.5, 0.5, 0.5),
+               "k_s": (0.5, 0.5, 0.5), "exponent": (10.0, 10.0, 10.0)}, "light or eye below: 0"),
+        Check({"n": (UP, LEFT, FLAT), "l": (LEFT, UP, UP), "v": (NEAR_RIGHT, LEFT, FLAT), "k_d": (0.2, 0.0, 0.4),
+               "k_s": (0.7, 1.0, 0.3), "exponent": (300.0, 40.0, 7.0)}, "a tighter highlight, a tilted surface", hidden=True),
+    ),
+)
+
 CHAPTER = Chapter(
     title="BRDFs",
     idea="A BRDF says how much of the light from one direction a surface sends into another.",
-    steps=(BALANCE, REFLECTANCE_EQUATION, DEFINITION, PROPERTIES, LAMBERT),
-    exercises=(LAMBERT_EXERCISE,),
+    steps=(BALANCE, REFLECTANCE_EQUATION, DEFINITION, PROPERTIES, LAMBERT,
+           PHONG, BLINN, NORMALISATION, BLINN_PHONG_BRDF, WHY_PHYSICAL),
+    exercises=(LAMBERT_EXERCISE, BLINN_PHONG_EXERCISE),
     terms={
         "BRDF": "outgoing radiance in one direction over irradiance from another, per steradian",
         "albedo": "the share of the arriving light that a surface sends back",
+        "halfway vector": "h, the unit vector halfway between light and eye: a facet with this normal mirrors one to the other",
+        "normalised": "of a highlight: with the factor that makes it give back all the light, seen along the normal",
+        "white furnace": "the same radiance from everywhere; a surface that gives back all of it cannot be seen in it",
     },
 )

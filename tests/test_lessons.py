@@ -162,6 +162,7 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
 TWO_METRES = {"radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
               "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
 UNDER_SKY = {"zenith_radiance": 1.0, "sun_radiance": 25.0, "k_d": 0.2, "k_s": 0.7, "exponent": 40.0}
+SWAP = {"model": 0, "phi": 2.5, "k_d": 0.0, "k_s": 1.0, "exponent": 20.0}
 QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
     ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
      {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
@@ -235,6 +236,25 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("brdfs/lambert", "The dome has $2\\pi$", 2 * math.pi, 1e-12, "solid_angle_cone", {"half_angle": math.pi / 2}),
     ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
      TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
+    ("brdfs/phong", "2.23: more than twice", 2.23, 0.005, "highlight_flux",
+     {"model": 0, "theta_l": math.radians(85), "k_d": 0.0, "k_s": 1.0, "exponent": 5.0}),
+    ("brdfs/phong", "1.2e-5 against", 1.2e-5, 5e-7, "highlight_brdf", SWAP | {"theta_l": 0.3, "theta_v": 1.2}),
+    ("brdfs/phong", "against 3.2e-5", 3.2e-5, 5e-7, "highlight_brdf", SWAP | {"theta_l": 1.2, "theta_v": 0.3}),
+    ("brdfs/blinn", "5.8 times: 1/cos 80°", 5.8, 0.05, "highlight_stretch", {"theta_v": math.radians(80)}),
+    ("brdfs/normalisation", "[Exponent 5](?exponent=5): twice", 2.0, 0.1, "lobe_flux_blinn",
+     {"theta_v": 0.0, "exponent": 5.0}),
+    ("brdfs/normalisation", "a fortieth", 1 / 40, 1e-4, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 1000.0}),
+    ("brdfs/normalisation", "sends back 1.5 times", 1.5, 0.05, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 10.0}),
+    ("brdfs/normalisation", "0.24. The peak stayed", 0.24, 0.005, "lobe_flux_blinn",
+     {"theta_v": 0.0, "exponent": 100.0}),
+    ("brdfs/blinn_phong_brdf", "0.265. Nothing", 0.265, 5e-4, "albedo_blinn_phong",
+     {"theta_v": math.pi / 3, "exponent": 100.0}),
+    ("brdfs/blinn_phong_brdf", "3.14 at exponent 0", 3.14, 0.005, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 0.0}),
+    ("brdfs/why_physical", "1.3 times the light", 1.3, 1e-12, "complaint_model", {"complaint": 0, "theta": 0.0}),
+    ("brdfs/why_physical", "from 0.04 to 1", 0.04, 5e-4, "complaint_truth", {"complaint": 1, "theta": 0.0}),
+    ("brdfs/why_physical", "0.37 of the blue", 0.37, 0.005, "complaint_truth", {"complaint": 2, "theta": 0.0}),
+    ("brdfs/why_physical", "0.75. At the rim", 0.75, 0.005, "complaint_truth",
+     {"complaint": 2, "theta": math.radians(85)}),
 ]
 
 
@@ -269,6 +289,7 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("brdfs/lambert", "projected_solid_angle_cone", "cosine_sum", {"tile_rows": 3000}, 1e-6),
     ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
     ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
+    ("brdfs/blinn", "blinn_exponent", "blinn_exponent_short", {"exponent": 1000.0}, 2e-4),
 ]
 
 

@@ -109,6 +109,16 @@ def normalisation_short(exponent, summand):
     return (np.asarray(exponent, float) + summand) / (8 * pi)
 
 
+def normalisation_short_share(exponent, summand):
+    """What comes back along the normal with a short cut, k_s = 1: its factor over the exact one.
+
+    normalisation_short / normalisation_blinn_phong
+
+    exponent >= 0, summand (...). Returns (...); beyond 1 energy is made. Errors: none. Source: see normalisation_short.
+    """
+    return normalisation_short(exponent, summand) / normalisation_blinn_phong(exponent)
+
+
 def brdf_blinn_phong(n, l, v, k_d, k_s, exponent):
     """The complete Blinn-Phong BRDF: reciprocal, and with k_d + k_s <= 1 it gives back no more than it gets.
 
@@ -162,6 +172,27 @@ def albedo_blinn_phong(theta_v, exponent):
     return normalisation_blinn_phong(exponent) * lobe_flux_blinn(theta_v, exponent)
 
 
+def albedo_blinn_phong_limit(theta_v):
+    """albedo_blinn_phong for an exponent without end.
+
+    cos^2 theta_v
+
+    theta_v (...) rad. Returns (...) 0 .. 1. Errors: none. Source: lobe_flux_blinn with all h at n: n.l and l.h are n.v.
+    """
+    return np.cos(np.asarray(theta_v, float)) ** 2
+
+
+def brdf_blinn_phong_as_wide(n, l, v, k_d, k_s, exponent):
+    """The Blinn-Phong BRDF whose highlight is as wide, in the plane of incidence, as the Phong one's of this exponent.
+
+    brdf_blinn_phong with blinn_exponent(exponent)
+
+    n, l, v (..., 3) unit, k_d, k_s, exponent (...). Returns (...) 1/sr. Errors: none. Source: deck, Blinn-Phong
+    BRDF (2); Fisher and Woo 1994.
+    """
+    return brdf_blinn_phong(n, l, v, k_d, k_s, blinn_exponent(exponent))
+
+
 def half_width_blinn(exponent):
     """How far from the mirror direction a Blinn highlight has half its height, in the plane of incidence.
 
@@ -183,6 +214,17 @@ def blinn_exponent(exponent):
     """
     below = -np.expm1(-np.log(2) / np.maximum(np.asarray(exponent, float), 1e-300))
     return 2 * np.log(2) / -np.log1p(-0.5 * below)
+
+
+def blinn_exponent_short(exponent):
+    """The rule of thumb for blinn_exponent.
+
+    4 exponent
+
+    exponent >= 0 (...). Returns (...). Errors: too small by log 2 for large exponents: -17 % at 1, -1.7 % at 10.
+    Source: Fisher and Woo 1994, R.E versus N.H specular highlights.
+    """
+    return 4 * np.asarray(exponent, float)
 
 
 def highlight_stretch(theta_v):
