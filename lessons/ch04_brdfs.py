@@ -62,7 +62,7 @@ uniform float k_d;
 
 const int RAYS = 32;       // that arrive; twice as many can leave where k_s + k_d is beyond 1
 const float PATCH = 0.9;   // width of dA
-const float TALL = 3.0;    // of the bar
+const float TALL = 2.1;    // of the bar
 const float BAR = 2.1;
 
 int fate(int ray) { // 0 reflected, 1 scattered, 2 absorbed, 3 there is no such ray
@@ -94,7 +94,7 @@ vec3 surface_point(int surface, vec2 s) {
         vec2 p = way(ray, node) + wide * (s.y - 0.5) * vec2(-along.y, along.x);
         return vec3(p.x, -0.02 - 0.0005 * float(ray), p.y);
     }
-    if (surface == 1) return vec3(BAR + 0.36 * s.x, -0.01, -1.25 + TALL * 1.42 * s.y);
+    if (surface == 1) return vec3(BAR + 0.36 * s.x, -0.01, -1.25 + TALL * 2.0 * s.y);
     if (surface == 2) return vec3(-2.0 + 3.8 * s.x, 0.12, -1.25 * s.y);
     return vec3(PATCH * (s.x - 0.5), -0.04, 0.035 * (s.y - 0.5));
 }
@@ -109,7 +109,7 @@ vec3 shade(Surface s) {
         return at < 6.0 ? inside * 0.75 : palette[COLOUR_V];
     }
     if (s.id == 1) {
-        float u = s.st.y * 1.42 * TALL / (TALL * max(cos(theta_l), 0.02)); // of what arrives
+        float u = s.st.y * 2.0 / max(cos(theta_l), 0.02); // of what arrives
         if (u > max(1.0, k_s + k_d)) discard;
         vec3 kind = u < k_s ? palette[COLOUR_R] : u < k_s + k_d ? palette[COLOUR_V] : palette[COLOUR_LOST];
         return u < 1.0 || s.st.x > 0.5 ? kind : palette[COLOUR_EXACT];
@@ -475,7 +475,7 @@ const vec3 UP = vec3(0.0, 0.0, 1.0);
 const float SIZE = 1.35; // metres per 1/sr
 
 float brdf(vec3 from, vec3 to) {
-    return brdf_flawed(UP, from, to, radiance, flaw, 0.6, 0.3, exponent) / radiance;
+    return ratio_flawed(UP, from, to, radiance, flaw, 0.6, 0.3, exponent);
 }
 
 vec3 lit_from(int lobe) { // lobe 1: lamp and eye have changed places
@@ -531,11 +531,11 @@ vec4 probe(int i) {
                     Curve("∫ f dω, as printed", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed")),
             y_label="over all directions of the light",
         ),
-        Slice("The lobe, cut by the plane of n and l"),
+        Slice("Cut by the plane of n and l", (Model("this surface, L = 1", Term("brdf_flawed", BROKEN | {"radiance": 1.0})),)),
     ),
     readouts=(
-        Readout("f(l,v)", Term("brdf_flawed", BROKEN), role="exact", unit="1/sr", absent="0/0, not a number"),
-        Readout("f(v,l)", Term("brdf_flawed", BROKEN | {"l": "v", "v": "l"}), role="estimate", unit="1/sr", against="f(l,v)",
+        Readout("f(l,v)", Term("ratio_flawed", BROKEN), role="exact", unit="1/sr", absent="0/0, not a number"),
+        Readout("f(v,l)", Term("ratio_flawed", BROKEN | {"l": "v", "v": "l"}), role="estimate", unit="1/sr", against="f(l,v)",
                 absent="0/0, not a number"),
         Readout("∫ f cos θ dω", Term("hemisphere_meter", BROKEN | {"weight": 1}), unit="", absent="0/0, not a number"),
         Readout("∫ f dω", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed", unit="", absent="0/0, not a number"),
@@ -544,7 +544,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A glossy plate, lamp at 70°, camera at 40°: its BRDF there is 0.25 per steradian. Lamp and camera change "
                  "places. What is it now?",
-        truth=Term("brdf_flawed", BROKEN | {"l": "v", "v": "l"}),
+        truth=Term("ratio_flawed", BROKEN | {"l": "v", "v": "l"}),
         unit="1/sr",
         choices=(Choice("less", 0.0, 0.245), Choice("the same", 0.245, 0.255), Choice("more", 0.255, 10.0)),
         sets={"flaw": 0, "theta_l": 70.0, "theta_v": 40.0, "phi": 180.0, "exponent": 20.0, "radiance": 1.0},

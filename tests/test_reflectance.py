@@ -20,7 +20,7 @@ from app.optics.reflectance import (
     irradiance_absorbed,
 )
 from app.optics.sky import reflected_part, reflected_radiance, reflected_radiance_sum, sky_radiance, sun_share
-from app.optics.specimen import brdf_flawed, brdf_paint, hemisphere_meter, paint_measured
+from app.optics.specimen import brdf_flawed, brdf_paint, hemisphere_meter, paint_measured, ratio_flawed
 from app.optics.spherical import direction, light_direction, view_direction
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -139,6 +139,13 @@ def test_each_flaw_breaks_one_badge(flaw):
     assert [name for name, badge in found.items() if not badge.ok] == ([RED[flaw][0]] if RED[flaw] else [])
     if RED[flaw] and RED[flaw][1] is not None:
         assert found[RED[flaw][0]].worst == pytest.approx(RED[flaw][1], rel=1e-3)
+
+
+def test_only_a_clamp_asks_how_bright_it_is():
+    pair = light_direction(0.5, pi), view_direction(0.5)
+    one, ten = (ratio_flawed(UP, *pair, x, np.arange(6), 0.6, 0.3, 20.0) for x in (1.0, 10.0))
+    assert np.flatnonzero(~np.isclose(one, ten, rtol=1e-12)).tolist() == [4]
+    assert ten[4] == pytest.approx(0.1), "cut off at 1"
 
 
 def test_no_azimuth_no_number():

@@ -48,6 +48,16 @@ def brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
     return np.where((n_dot_l > 0) & (n_dot_v > 0), value, 0.0)[()]
 
 
+def ratio_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
+    """brdf_flawed over the incoming radiance: of a BRDF it is the same for every radiance, flaw 4 is none.
+
+    brdf_flawed(...) / L
+
+    The arguments of brdf_flawed. Returns (...) 1/sr. Errors: those of brdf_flawed. Source: deck, The BRDF (1).
+    """
+    return brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent) / np.asarray(radiance, float)
+
+
 def hemisphere_meter(theta_v, radiance, flaw, k_d, k_s, exponent, weight):
     """The BRDF with its flaw, integrated over all directions of the light: with the cosine it is the albedo.
 

@@ -26,6 +26,11 @@ float brdf_flawed(vec3 n, vec3 l, vec3 v, float radiance, int flaw, float k_d, f
     return flaw == 4 ? min(radiance * f, 1.0) : radiance * f;                     // 4: cut off at 1
 }
 
+float ratio_flawed(vec3 n, vec3 l, vec3 v, float radiance, int flaw, float k_d, float k_s, float exponent) {
+    // The BRDF (1): what comes out per what comes in; of a BRDF it is the same for every radiance
+    return brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent) / radiance;
+}
+
 float hemisphere_meter(float theta_v, float radiance, int flaw, float k_d, float k_s, float exponent, int weight) {
     // The BRDF (3): int f dw, or with weight 1 int f cos theta dw; 48 Gauss-Legendre nodes in the cosine, 96 around
     vec3 n = vec3(0.0, 0.0, 1.0), v = view_direction(theta_v);
