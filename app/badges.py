@@ -33,7 +33,7 @@ ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swappe
                          "Does it send on at most what comes, for every angle of the eye?",
                          "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
-VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
+VIEWS = np.radians([0, 15, 30, 45, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
 RADIANCES = 1e-3, 0.03, 1.0, 30.0, 1e3
 EXTREMES = np.radians([0, 1e-7, 1e-3, 30, 89.9, 89.9999999, 90, 90.0000001, 120, 180])
@@ -127,12 +127,12 @@ def energy(f: Callable) -> Badge:
     values, errors = albedo(f, VIEWS)
     i = int(np.argmax(values - errors))
     near = VIEWS[max(i - 1, 0)], VIEWS[min(i + 1, len(VIEWS) - 1)]
-    theta = np.linspace(*near, 7)[1:-1] if 0 < i < len(VIEWS) - 1 else VIEWS[i:i + 1]
+    theta = np.linspace(*near, 5)[1:-1] if 0 < i < len(VIEWS) - 1 else VIEWS[i:i + 1]
     more, off = albedo(f, theta)
     theta, values, errors = np.append(VIEWS, theta), np.append(values, more), np.append(errors, off)
     order = np.argsort(theta)
     sure = (values - errors)[order]
-    i = order[int(np.argmax(sure >= sure.max() - 1e-3))]  # of equal ones the first
+    i = order[int(np.argmax(sure >= sure.max() - 4e-4))]  # of equal ones the first
     return Badge(bool(values[i] - errors[i] <= MOST), float(values[i]), {"theta_v": float(theta[i])})
 
 

@@ -229,18 +229,6 @@ TABLE: dict[str, Quantity] = {
 FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
 
 
-SPOKEN = {  # names that a person reads in other words
-    "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
-    "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
-    "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
-}
-
-
-def spoken(name: str) -> str:
-    """The name a person reads: distance, half angle, angle θ."""
-    return SPOKEN.get(name, name.replace("_", " "))
-
-
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
         raise Usage(f"there is no quantity {name}.{near(name, TABLE)}")

@@ -8,6 +8,8 @@ import pytest
 
 from app import badges, catalog, furnace
 from app.badges import NAMES, check, told
+from app.export import gallery, target
+from app.export.page import page
 from app.export.still import still
 from app.inspection import inspect, words
 from app.lesson import Model, Term
@@ -228,6 +230,16 @@ def test_a_step_stands_where_a_badge_points(tmp_path):
     session.freeze()
     with pytest.raises(Usage):
         session.stand({"theta_v": 0.0})
+
+
+def test_the_gallery_has_all_plots_and_badges(tmp_path, ctx):
+    found = catalog.step("small/open", model_lesson(tmp_path))
+    shown = gallery.rendered(found, target.make_folder(tmp_path / "out" / "pictures").parent, THEMES["dark"], scale=0.2)
+    assert not shown.fault
+    assert len(shown.plots) == 2 and all((tmp_path / "out" / file).is_file() for file in shown.plots)
+    text = page([(found.loaded, [shown])])
+    assert text.count('class="broken"') == 2 and text.count('class="kept"') == 8
+    assert 'title="It sends on 1.' in text
 
 
 def test_inspect_and_stills_have_the_badges(tmp_path, ctx):

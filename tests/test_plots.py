@@ -15,9 +15,10 @@ from app.plots import PlotDied, PlotProcess, picture
 from app.plots.dashes import along, dashed
 from app.plots.models import Scale, lit
 from app.plots.sweep import Sweep
-from app.plots.ticks import Axis, axis_title, linear_ticks, nice, number, plain
+from app.plots.ticks import Axis, linear_ticks, nice, number
 from app.plots.words import Entry, header, wrapped
 from app.problem import Problem
+from app.spoken import axis_title, plain
 from app.terms import evaluate
 from app.theme import THEMES, colour, rgb
 
@@ -253,6 +254,9 @@ def test_numbers_and_symbols_in_words():
     assert [number(x) for x in (0, -0.25, 1e5, -2e-7)] == ["0", "−0.25", "10⁵", "−2·10⁻⁷"]
     assert plain(r"\Delta\theta") == "Δθ"
     assert plain("r_0") == "r₀"
+    assert plain(r"\theta_v") == "θv"
+    assert axis_title("theta_v") == "eye's angle θv in °"
+    assert axis_title("n_dot_l") == "n·l"
     assert axis_title("half_angle") == "half angle θ in °"
     assert axis_title("distance") == "distance r in m"
     assert nice(0.31) == pytest.approx(0.4)

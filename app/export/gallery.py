@@ -9,6 +9,7 @@ from pathlib import Path
 from PIL import Image
 
 from app import prediction
+from app.badges import of_model
 from app.catalog import Loaded, LoadedStep, chapters
 from app.export import target
 from app.export.ink import Ink
@@ -93,10 +94,13 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
         shown.scene = keep(shot(found, start, None, size, theme, ink), shown.state, "scene")
 
     def plot() -> None:
-        shown.plot = keep(plotted(found, start, sized(PLOT), theme), shown.state, "plot")
+        for i in range(len(found.step.plots)):
+            more = (str(i + 1),) if i else ()
+            shown.plots.append(keep(plotted(found, start, sized(PLOT), theme, i), shown.state, "plot", *more))
 
     def figures() -> None:
         shown.numbers = numbers(found.step, start, context())
+        shown.badges = {model.label: of_model(model, start) for model in found.step.models}
         shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"},
                                        **luminaires(found, prediction.truth_values(found)))
 

@@ -11,8 +11,9 @@ from app.plots.dashes import along, dashed
 from app.plots.dots import rimmed, stamp
 from app.plots.look import Look, bytes3
 from app.plots.sweep import Sweep, Swept, widened
-from app.plots.ticks import axis_title, number
+from app.plots.ticks import number
 from app.plots.words import SHAPES, Entry, dot_size, font, line_of_words
+from app.spoken import axis_title
 
 COLOUR = {"exact": "exact", "estimate": "estimate", "printed": "printed"}
 LINES = {"exact": ("solid", "dashed", "dotted"), "printed": ("dashdot", "dotted", "dashed"),

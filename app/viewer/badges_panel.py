@@ -13,7 +13,7 @@ from app.lesson import Model
 from app.theme import colour
 from app.viewer import glfw, style
 
-SMALL = 0.9  # of the text
+SMALL = 0.9  # of the text on a projector, where the column is narrow for it
 KEPT = 64  # results, so that a slider's way back costs nothing
 
 
@@ -38,7 +38,8 @@ class BadgesPanel:
         if not hidden:
             self.ask(found.step.models, values)
         imgui.spacing()
-        imgui.push_font(None, SMALL * imgui.get_style().font_size_base)
+        large = self.app.theme.name == "projector"
+        imgui.push_font(None, (SMALL if large else 1.0) * imgui.get_style().font_size_base)
         flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
         if imgui.begin_table("badges", 1 + len(NAMES), flags):
             imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)

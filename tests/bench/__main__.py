@@ -51,6 +51,12 @@ def points():
     return measure()
 
 
+def badges():
+    from tests.bench.numbers import badges as measure
+
+    return measure()
+
+
 def digits():
     from tests.bench.numbers import digits as measure
 
@@ -63,7 +69,7 @@ def window():
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, digits)}
+GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits)}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -1,9 +1,11 @@
-"""Twins over many points, and the digits that float32 keeps of a small triangle."""
+"""Twins over many points, the digits that float32 keeps of a small triangle, and the badges of models."""
 
 import numpy as np
 
-from app import optics
+from app import catalog, optics
+from app.badges import of_model
 from app.gpu.evaluate import evaluate
+from app.state import defaults
 from tests.bench.rows import Row, in_turn, timed
 
 MILLION = 10**6
@@ -24,6 +26,17 @@ def points(rounds: int = 9) -> list[Row]:
     for row in found[1:3]:
         row.asked = 120.0
     return found
+
+
+def badges(rounds: int = 9) -> list[Row]:
+    """All badges of each model of the course, at its step's first values; adding two arrays is the reference."""
+    x = np.random.default_rng(1).uniform(0.1, 1.0, MILLION)
+    jobs = {"numpy: x + x": timed(lambda: x + x)}
+    for step in catalog.steps():
+        values = defaults(step)
+        jobs |= {f"badges of {step.id}, {model.label}": timed(lambda m=model, v=values: of_model(m, v))
+                 for model in step.step.models}
+    return in_turn(jobs, rounds, asked=dict.fromkeys(list(jobs)[1:], 150.0))
 
 
 def digits() -> list[Row]:

@@ -11,9 +11,9 @@ SIZE = (420, 420)
 
 
 def plots(rounds: int = 12) -> list[Row]:
-    """The first step's plot is the reference."""
+    """The first step's plot is the reference; every plot of every step."""
     with PlotProcess(SIZE, THEMES["dark"]) as process:
-        def move(step) -> None:
+        def move(step, plot) -> None:
             values = defaults(step)
             move.count += 1
             share = 0.3 + 0.4 * (move.count % 97) / 97
@@ -25,14 +25,15 @@ def plots(rounds: int = 12) -> list[Row]:
                 values[name] = spec.low + (spec.high - spec.low) * share
             more = data(step, values)
             triangles = more.pop("triangles", None)
-            process.request(step.step.plot, values | more, triangles=triangles, fine=False)
+            process.request(plot, values | more, triangles=triangles, fine=False)
             process.wait(30.0)
 
         move.count = 0
 
-        def once(step) -> float:
-            move(step)  # to this step's plot; what is measured is the next move
-            return timed(lambda: move(step))()
+        def once(step, plot) -> float:
+            move(step, plot)  # to this plot; what is measured is the next move
+            return timed(lambda: move(step, plot))()
 
-        jobs = {f"plot of {step.id} after a move": lambda step=step: once(step) for step in catalog.steps()}
+        jobs = {f"{step.id}, {plot.title}, after a move": lambda step=step, plot=plot: once(step, plot)
+                for step in catalog.steps() for plot in step.step.plots}
         return in_turn(jobs, rounds, asked=dict.fromkeys(jobs, 60.0))
