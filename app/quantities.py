@@ -205,6 +205,9 @@ TABLE: dict[str, Quantity] = {
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),
     "ndf": Quantity("k", "", 0, 3, 2, "which distribution: Gauss, Blinn-Phong, Beckmann, GGX", kind="int"),
+    "prefactor": Quantity("k", "", 0, 1, 0, "which prefactor: 1/4, or 1/pi as printed", kind="int"),
+    "exposed": Quantity("k", "", 0, 1, 0, "exposure: each at its own peak, or all alike", kind="int"),
+    "slope_ratio": Quantity("x", "", -3.0, 3.0, 0.8, "slope of a facet, in units of m"),
     "cosines": Quantity("k", "", 0, 1, 1, "1: area as seen from above; 0: the facets' own area", kind="int"),
     # grooves and rough diffuse surfaces
     "facet": Quantity(r"\alpha", "rad", -1.2, 1.2, 0.7, "lean of a facet's normal, positive to the right", (-1.5, 1.5)),

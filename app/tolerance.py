@@ -236,6 +236,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
+    **{name: twin(name) for name in ("albedo_cook_torrance", "albedo_cook_torrance_printed")},  # 1440 angles' terms
     "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,

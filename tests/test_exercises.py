@@ -121,3 +121,26 @@ def test_nan_is_wrong():
 def test_an_unknown_language():
     with pytest.raises(Usage, match="no language rust"):
         run(TRIANGLE, "rust", "")
+
+
+NAIVE_D = {
+    "python": """import numpy as np
+
+
+def d_beckmann(n, h, m):
+    c2 = np.sum(np.asarray(n) * np.asarray(h), -1) ** 2
+    return np.exp(-(1 - c2) / c2 / np.asarray(m) ** 2) / (np.pi * np.asarray(m) ** 2 * c2 * c2)
+""",
+    "glsl": """float d_beckmann(vec3 n, vec3 h, float m) {
+    float c = dot(n, h), c2 = c * c;
+    return exp(-(1.0 - c2) / c2 / (m * m)) / (3.14159265 * m * m * c2 * c2);
+}
+""",
+}
+
+
+@pytest.mark.parametrize("language", ["python", "glsl"])
+def test_the_decks_fast_form_fails_where_it_must(language, ctx):
+    found = {f.words: f.ok for f in run(EXERCISES["microfacets/beckmann"], language, NAIVE_D[language])}
+    assert found["the peak is 1 / (π m²)"] and found["ordinary angles and roughness"]
+    assert not found["polished"] and not found["polished and tilted"]

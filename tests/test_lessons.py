@@ -255,6 +255,32 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("brdfs/why_physical", "0.37 of the blue", 0.37, 0.005, "complaint_truth", {"complaint": 2, "theta": 0.0}),
     ("brdfs/why_physical", "0.75. At the rim", 0.75, 0.005, "complaint_truth",
      {"complaint": 2, "theta": math.radians(85)}),
+    ("microfacets/grooves", "6.9 cm", 6.9, 0.05, "resolved_distance", {"groove_width": 20.0}),
+    ("microfacets/facets", "one in 300", 10000 / 300, 2, "facets_lit",
+     {"theta_l": math.radians(40), "theta_v": math.radians(40), "phi": math.pi, "m": 0.3, "half_angle": math.radians(1),
+      "facets": 10000}),
+    ("microfacets/blocking", "0.42: the line", 0.42, 0.005, "groove_open",
+     {"facet": math.radians(45), "lean_l": 0.0, "lean_v": math.radians(75)}),
+    ("microfacets/interreflections", "0.82: nearly flat", 0.82, 0.005, "rim_oren_nayar",
+     {"disk_x": 0.94, "phase": 0.0, "sigma": math.radians(40)}),
+    ("microfacets/interreflections", "it has 0.34 of the radiance", 0.34, 0.005, "disk_lambert",
+     {"disk_x": 0.94, "phase": 0.0, "rho": 1.0}),
+    ("microfacets/cook_torrance", "1.27, that is 4/π", 1.27, 0.005, "albedo_cook_torrance_printed",
+     {"theta_v": 0.0, "m": 0.1, "f0": 1.0}),
+    ("microfacets/cook_torrance", "With 1/4 it is 1.000", 1.0, 5e-4, "albedo_cook_torrance",
+     {"theta_v": 0.0, "m": 0.1, "f0": 1.0}),
+    ("microfacets/distribution", "31.8 per steradian", 31.8, 0.05, "d_at", {"ndf": 2, "theta_h": 0.0, "m": 0.1}),
+    ("microfacets/distribution", "(m = 0.408) only 0.349", 0.349, 5e-4, "facet_area_of_lobe", {"m": 0.408}),
+    ("microfacets/beckmann", "8. The whole highlight", 8, 0.5, "cosine_steps", {"slope_ratio": 1.0, "m": 0.001}),
+    ("microfacets/beckmann", "it turns 1.51", 1.51, 0.005, "d_at", {"ndf": 2, "theta_h": math.radians(10), "m": 0.1}),
+    ("microfacets/beckmann", "into 758", 758, 0.5, "d_beckmann_printed", {"theta_h": math.radians(10), "m": 0.1}),
+    ("microfacets/beckmann_only", "198. A tenth", 198, 1e-6, "exponent_from_m", {"m": 0.1}),
+    ("microfacets/beckmann_only", "would be 19998", 19998, 1e-6, "exponent_from_m", {"m": 0.01}),
+    ("microfacets/beckmann_only", "[8](?m=0.4472)", 8, 0.01, "exponent_from_m", {"m": 0.4472}),
+    ("microfacets/beckmann_only", "[200](?m=0.09950)", 200, 0.1, "exponent_from_m", {"m": 0.0995}),
+    ("microfacets/beckmann_only", "[2000](?m=0.03161)", 2000, 1, "exponent_from_m", {"m": 0.03161}),
+    ("microfacets/beckmann_only", "(310, 100,", 310, 1, "exponent_from_m", {"m": 0.08}),
+    ("microfacets/beckmann_only", "30, 8, 1)", 8, 0.5, "exponent_from_m", {"m": 0.45}),
 ]
 
 
@@ -290,6 +316,8 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
     ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
     ("brdfs/blinn", "blinn_exponent", "blinn_exponent_short", {"exponent": 1000.0}, 2e-4),
+    ("microfacets/facets", "d_halfway", "d_near", {}, 0.03),
+    ("microfacets/blocking", "groove_open", "groove_open_counted", {"samples": 4096}, 1e-3),
 ]
 
 

@@ -22,6 +22,7 @@ DIRECTIONS = {"n", "l", "v", "h"}  # unit vectors
 COUNTED = {"solid_angle_patch_counted": lambda a: a["samples"] / (4 * np.pi), "meets_patch": None,
            "groove_blocked": None, "groove_hidden_counted": lambda a: a["samples"],
            "groove_open_counted": lambda a: a["samples"], "facets_lit": None,
+           "d_near": lambda a: a["facets"] * np.pi * np.sin(a["half_angle"]) ** 2,
            "d_counted": lambda a: a["facets"] * _ring(a["theta_h"], a["half_angle"])}
 
 
@@ -215,6 +216,8 @@ JOINT = {  # arguments that belong together
     **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at"), mirrored),
     "angle_of_half": half_reached,
     "d_counted": of_a_ring,
+    "d_halfway": mirrored,
+    "d_near": of_a_ring,
     "facet_normal": of_the_facets,
     "facet_slope": of_the_facets,
     "fibonacci_direction": below_samples,
@@ -347,8 +350,10 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
     "lobe_blinn_naive": NEARLY_MIRRORED,
     "d_beckmann_naive": NARROW,
     "d_beckmann_acos_naive": NARROW,
+    "d_beside_naive": {"slope_ratio": f32([0.5, 1.0, 2.0]), "m": f32([0.01, 1e-3, 1e-4])},
+    "d_beside_acos_naive": {"slope_ratio": f32([0.5, 1.0, 2.0]), "m": f32([0.01, 1e-3, 1e-4])},
 }
-STABLE = {"d_beckmann_acos_naive": "d_beckmann"}
+STABLE = {"d_beckmann_acos_naive": "d_beckmann", "d_beside_acos_naive": "d_beside"}
 
 
 def test_every_naive_form_is_tried():

@@ -238,23 +238,22 @@ def highlight_stretch(theta_v):
     return 1 / np.cos(np.asarray(theta_v, float))
 
 
-def sample_blinn_phong(v, exponent, xi_1, xi_2):
-    """A direction to the light drawn by mirroring v in a random facet, n being +z; it may lie below the horizon.
+def sample_blinn_phong(xi_1, xi_2, exponent):
+    """A facet normal drawn from the cosine lobe, n being +z: as likely as its share of the area, D cos a.
 
-    h with density (e + 2) / (2 pi) (n.h)^(e + 1): log n.h = log(1 - xi_1) / (e + 2), phi = 2 pi xi_2; l = 2 (v.h) h - v
+    log n.h = log(1 - xi_1) / (e + 2), azimuth 2 pi xi_2, e = exponent
 
-    v (..., 3) unit, exponent >= 0, xi_1, xi_2 (...) in [0, 1]; xi_1 = 1 is taken as the float32 below it. Returns
-    (..., 3) unit. Errors: none. Source: Walter 2005, Notes on the Ward BRDF.
+    xi_1, xi_2 (...) in [0, 1), exponent >= 0 (...). Returns (..., 3). Errors: none; xi_1 = 1 is taken as just below it.
+    Source: Walter 2005, Notes on the Ward BRDF; the inverse of 1 - (n.h)^(e + 2).
     """
-    v, turn = np.asarray(v, float), 2 * pi * np.asarray(xi_2, float)
     log = np.log1p(-np.minimum(xi_1, 1 - 2.0**-24)) / (np.asarray(exponent, float) + 2)
+    turn = 2 * pi * np.asarray(xi_2, float)
     cosine, sine, turn = np.broadcast_arrays(np.exp(log), np.sqrt(-np.expm1(2 * log)), turn)
-    h = np.stack([sine * np.cos(turn), sine * np.sin(turn), cosine], -1)
-    return 2 * _dot(v, h)[..., None] * h - v
+    return np.stack([sine * np.cos(turn), sine * np.sin(turn), cosine], -1)
 
 
 def pdf_blinn_phong(n, l, v, exponent):
-    """The density with which sample_blinn_phong draws l.
+    """The density of the light that v sees mirrored in a facet of sample_blinn_phong.
 
     (e + 2) / (2 pi) (n.h)^(e + 1) / (4 l.h); 0 where n.h <= 0
 

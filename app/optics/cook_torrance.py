@@ -127,6 +127,17 @@ def albedo_cook_torrance(theta_v, m, f0):
                                                             f0[..., None]) / (pi * c * n_dot_v), -1)
 
 
+def albedo_cook_torrance_printed(theta_v, m, f0):
+    """The share of the light that the Cook-Torrance BRDF as printed reflects: it can be more than all.
+
+    4 / pi albedo_cook_torrance
+
+    theta_v (...) rad below pi/2, m (...) RMS slope, f0 (...). Returns (...), up to 1.27. Errors: none; m below 1e-5 is
+    taken as 1e-5. Source: deck, The Cook - Torrance Model (2).
+    """
+    return 4 / pi * albedo_cook_torrance(theta_v, m, f0)
+
+
 def _turned(c, s, n_dot_v, sine, f0):
     """J: G u F over the facet's azimuth from 0 to pi; the facet's tilt has cosine c and sine s."""
     a, b = c * n_dot_v, np.maximum(s * sine, 1e-300)

@@ -6,6 +6,7 @@ in golden turns. Seen from above all are equally large.
 
 import numpy as np
 
+from app.optics.beckmann import d_beckmann
 from app.optics.spherical import light_direction, view_direction
 
 
@@ -39,12 +40,12 @@ def facet_normal(index, m, facets):
 def facet_index(place, facets):
     """Which facet lies at a place of the plate: all of them once, in no order one sees.
 
-    place * 7919 mod facets; 7919 is prime, so each comes once unless it divides facets
+    place * 16183 mod facets; 16183 is a prime above all that are asked, so each comes once
 
-    place (...) 0 .. facets - 1, facets (...) >= 1, at most 270000. Returns (...). Errors: none.
+    place (...) 0 .. facets - 1, facets (...) >= 1, at most 16182. Returns (...). Errors: none.
     Source: a multiplicative shuffle.
     """
-    return (np.asarray(place, np.int64) * 7919 % np.asarray(facets, np.int64)).astype(float)[()]
+    return (np.asarray(place, np.int64) * 16183 % np.asarray(facets, np.int64)).astype(float)[()]
 
 
 def facets_lit(theta_l, theta_v, phi, m, half_angle, facets):
@@ -63,6 +64,41 @@ def facets_lit(theta_l, theta_v, phi, m, half_angle, facets):
         off = facet_normal(np.arange(int(count)), slope, int(count)) - h / max(np.linalg.norm(h), 1e-30)
         counts.append(np.count_nonzero(np.sum(off * off, -1) <= 4 * np.sin(0.5 * angle) ** 2))
     return np.reshape(np.array(counts, float), given[0].shape)[()]
+
+
+def d_near(theta_l, theta_v, phi, m, half_angle, facets):
+    """The distribution of facets at h by counting: those that mirror the lamp, over the size of their cone.
+
+    facets_lit / (facets n.h pi sin^2 half_angle)
+
+    theta_l, theta_v, phi (...) rad, m (...), half_angle (...) > 0 rad, facets (...) >= 1. Returns (...) 1/sr.
+    Errors: relative, of order 1 / sqrt(count), and what D bends within the cone.
+    Source: deck, Distribution Term (1): the share of facets towards h.
+    """
+    cone = np.pi * np.sin(half_angle) ** 2 * np.cos(halfway_angle(theta_l, theta_v, phi))
+    return facets_lit(theta_l, theta_v, phi, m, half_angle, facets) / (np.asarray(facets, float) * cone)
+
+
+def halfway_angle(theta_l, theta_v, phi):
+    """The angle between n and h.
+
+    atan2(|S x n|, S . n), S = l + v
+
+    theta_l, theta_v, phi (...) rad. Returns (...) rad. Errors: none. Source: deck, The Blinn Model.
+    """
+    s = light_direction(theta_l, phi) + view_direction(theta_v)
+    return np.arctan2(np.hypot(s[..., 0], s[..., 1]), s[..., 2])
+
+
+def d_halfway(theta_l, theta_v, phi, m):
+    """Beckmann's distribution of facets at h: what d_near counts.
+
+    d_beckmann(n, l + v, m)
+
+    theta_l, theta_v, phi (...) rad, m (...). Returns (...) 1/sr. Errors: none. Source: deck, Distribution Term (2).
+    """
+    s = light_direction(theta_l, phi) + view_direction(theta_v)
+    return d_beckmann(np.array([0.0, 0.0, 1.0]), s, m)
 
 
 def d_counted(theta_h, m, half_angle, facets):

@@ -6,7 +6,16 @@
 import numpy as np
 from numpy import pi
 
-from app.optics.beckmann import SMOOTHEST, _dot, d_beckmann_slope, exponent_from_m, slope_squared
+from app.optics.beckmann import (
+    SMOOTHEST,
+    _dot,
+    d_beckmann,
+    d_beckmann_acos_naive,
+    d_beckmann_naive,
+    d_beckmann_slope,
+    exponent_from_m,
+    slope_squared,
+)
 from app.optics.distribution import _cosine_power
 from app.optics.ggx import d_ggx_slope
 
@@ -122,13 +131,77 @@ def _rings(ndf, m, rows, cosines):
     return ndf, a, m, d_at(ndf, a, m), weight
 
 
-def facet_area_of_lobe(exponent):
+def facet_area_of_lobe(m):
     """What the BRDF's constant f_n would make of the cosine lobe as a facet distribution: too little area.
 
-    f_n 2 pi / (n + 2), f_n = (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))), n = exponent
+    f_n 2 pi / (n + 2), f_n = (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))), n = 2 / m^2 - 2
 
-    exponent >= 0 (...). Returns (...). Errors: none.
+    m (...) at most 1. Returns (...), from 1 down to near 1/4. Errors: none; m below 1e-5 is taken as 1e-5.
     Source: deck, Blinn-Phong BRDF (1) in the place of Distribution Term (1).
     """
-    n = np.asarray(exponent, float)
+    n = exponent_from_m(np.minimum(m, 1.0))
     return 0.25 * (n + 4) / (n + np.exp2(-0.5 * n))
+
+
+def d_lean(ndf, slope_ratio, m):
+    """One of the four distributions at a slope given in units of m, where a lobe of any width looks the same.
+
+    d_slope(ndf, (slope_ratio m)^2, m)
+
+    ndf (...) int, slope_ratio (...), m (...). Returns (...) 1/sr. Errors: none. Source: deck, Distribution Term (1).
+    """
+    return d_slope(ndf, (np.asarray(slope_ratio, float) * m) ** 2, m)
+
+
+def leaning(slope_ratio, m):
+    """The normal of a facet whose slope is given in units of m, n being +z.
+
+    (x, 0, 1) / sqrt(1 + x^2), x = slope_ratio m
+
+    slope_ratio (...), m (...). Returns (..., 3). Errors: none; m below 1e-5 is taken as 1e-5. Source: tan a = x.
+    """
+    x = np.asarray(slope_ratio, float) * np.maximum(np.asarray(m, float), SMOOTHEST)
+    return np.stack([x, np.zeros_like(x), np.ones_like(x)], -1) / np.sqrt(1 + x * x)[..., None]
+
+
+def d_beside(slope_ratio, m):
+    """Beckmann's distribution at a slope given in units of m, through the vectors n = +z and h, as a shader has them.
+
+    d_beckmann(n, h, m), h = leaning(slope_ratio, m)
+
+    slope_ratio (...), m (...). Returns (...) 1/sr. Errors: none; m below 1e-5 is taken as 1e-5.
+    Source: deck, Distribution Term (3).
+    """
+    return d_beckmann(np.array([0.0, 0.0, 1.0]), leaning(slope_ratio, m), m)
+
+
+def d_beside_naive(slope_ratio, m):
+    """The same by the deck's fast form, which takes 1 - cos^2 a.
+
+    d_beckmann_naive(n, h, m), h = leaning(slope_ratio, m)
+
+    slope_ratio (...), m (...). Returns (...) 1/sr. Errors: none in float64. Source: deck, Distribution Term (3).
+    """
+    return d_beckmann_naive(np.array([0.0, 0.0, 1.0]), leaning(slope_ratio, m), m)
+
+
+def d_beside_acos_naive(slope_ratio, m):
+    """The same by the deck's expensive form, with an arc cosine and a tangent.
+
+    d_beckmann_acos_naive(n, h, m), h = leaning(slope_ratio, m)
+
+    slope_ratio (...), m (...). Returns (...) 1/sr. Errors: none in float64. Source: deck, Distribution Term (2).
+    """
+    return d_beckmann_acos_naive(np.array([0.0, 0.0, 1.0]), leaning(slope_ratio, m), m)
+
+
+def cosine_steps(slope_ratio, m):
+    """How many float32 numbers there are between 1 and the cosine of a facet whose slope is given in units of m.
+
+    2^24 (1 - cos a) = 2^24 t / (1 + t + sqrt(1 + t)), t = (slope_ratio m)^2
+
+    slope_ratio (...), m (...). Returns (...), while the cosine is above 1/2. Errors: none.
+    Source: IEEE 754: below 1 the numbers are 2^-24 apart.
+    """
+    t = (np.asarray(slope_ratio, float) * m) ** 2
+    return 2.0**24 * t / (1 + t + np.sqrt(1 + t))

@@ -11,6 +11,9 @@ const int COLOUR_EXACT = 5;
 const int COLOUR_ESTIMATE = 6;
 const int COLOUR_PRINTED = 7;
 const int COLOUR_LOST = 8;
+const int COLOUR_D = 9;
+const int COLOUR_G = 10;
+const int COLOUR_F = 11;
 const int COLOUR_QUIET = 12;
 
 vec3 colormap(float x) {

@@ -117,12 +117,11 @@ float highlight_stretch(float theta_v) {
     return 1.0 / cos(theta_v);
 }
 
-vec3 sample_blinn_phong(vec3 v, float exponent, float xi_1, float xi_2) {
-    // Walter 2005, Notes on the Ward BRDF: v mirrored in a facet h drawn with (n.h)^(exponent + 1)
+vec3 sample_blinn_phong(float xi_1, float xi_2, float exponent) {
+    // Walter 2005, Notes on the Ward BRDF: a facet h drawn with (n.h)^(exponent + 1)
     float log_cosine = log_one_less(min(xi_1, 0.99999994)) / (exponent + 2.0), turn = 2.0 * PI * xi_2;
     float sine = sqrt(one_less_exp(-2.0 * log_cosine));
-    vec3 h = vec3(sine * cos(turn), sine * sin(turn), exp(log_cosine));
-    return 2.0 * dot(v, h) * h - v;
+    return vec3(sine * cos(turn), sine * sin(turn), exp(log_cosine));
 }
 
 float pdf_blinn_phong(vec3 n, vec3 l, vec3 v, float exponent) {

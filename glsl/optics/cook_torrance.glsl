@@ -69,3 +69,8 @@ float albedo_cook_torrance(float theta_v, float m, float f0) {
     }
     return sum;
 }
+
+float albedo_cook_torrance_printed(float theta_v, float m, float f0) {
+    // The Cook - Torrance Model (2), as printed, with 1/pi
+    return 4.0 / PI * albedo_cook_torrance(theta_v, m, f0);
+}

@@ -2,6 +2,7 @@
 #include "core/power.glsl"
 #include "core/angle.glsl"
 #include "optics/spherical.glsl"
+#include "optics/beckmann.glsl"
 
 float facet_slope(int index, float m, int facets) {
     // Beckmann's distribution at the quantile (index + 1/2) / facets
@@ -16,7 +17,7 @@ vec3 facet_normal(int index, float m, int facets) {
 
 float facet_index(int place, int facets) {
     // A multiplicative shuffle
-    return float(place * 7919 % facets);
+    return float(place * 16183 % facets);
 }
 
 float facets_lit(float theta_l, float theta_v, float phi, float m, float half_angle, int facets) {
@@ -26,6 +27,23 @@ float facets_lit(float theta_l, float theta_v, float phi, float m, float half_an
     float lit = 0.0, near = 2.0 * sin(0.5 * half_angle);
     for (int i = 0; i < facets; i++) lit += distance(facet_normal(i, m, facets), h) <= near ? 1.0 : 0.0;
     return lit;
+}
+
+float halfway_angle(float theta_l, float theta_v, float phi) {
+    // The Blinn Model: between n and h
+    vec3 s = light_direction(theta_l, phi) + view_direction(theta_v);
+    return arctan2(length(s.xy), s.z);
+}
+
+float d_near(float theta_l, float theta_v, float phi, float m, float half_angle, int facets) {
+    // Distribution Term (1): the facets towards h, over the projected solid angle of their cone
+    float s = sin(half_angle), cone = PI * s * s * cos(halfway_angle(theta_l, theta_v, phi));
+    return facets_lit(theta_l, theta_v, phi, m, half_angle, facets) / (float(facets) * cone);
+}
+
+float d_halfway(float theta_l, float theta_v, float phi, float m) {
+    // Distribution Term (2): Beckmann's at h
+    return d_beckmann(vec3(0.0, 0.0, 1.0), light_direction(theta_l, phi) + view_direction(theta_v), m);
 }
 
 float d_counted(float theta_h, float m, float half_angle, int facets) {

@@ -66,7 +66,40 @@ float facet_area(int ndf, float m, int rows, int cosines) {
     return sum;
 }
 
-float facet_area_of_lobe(float exponent) {
+float facet_area_of_lobe(float m) {
     // Blinn-Phong BRDF (1) in the place of Distribution Term (1): f_n is no constant for a D
-    return 0.25 * (exponent + 4.0) / (exponent + exp2(-0.5 * exponent));
+    float n = exponent_from_m(min(m, 1.0));
+    return 0.25 * (n + 4.0) / (n + exp2(-0.5 * n));
+}
+
+float d_lean(int ndf, float slope_ratio, float m) {
+    // Distribution Term (1): one of four, at a slope in units of m
+    return d_slope(ndf, slope_ratio * m * (slope_ratio * m), m);
+}
+
+vec3 leaning(float slope_ratio, float m) {
+    // a facet's normal whose slope is given in units of m, the surface's being +z
+    float x = slope_ratio * max(m, SMOOTHEST);
+    return vec3(x, 0.0, 1.0) / sqrt(1.0 + x * x);
+}
+
+float d_beside(float slope_ratio, float m) {
+    // Distribution Term (3), the stable form, through vectors
+    return d_beckmann(vec3(0.0, 0.0, 1.0), leaning(slope_ratio, m), m);
+}
+
+float d_beside_naive(float slope_ratio, float m) {
+    // Distribution Term (3), the fast form, through vectors
+    return d_beckmann_naive(vec3(0.0, 0.0, 1.0), leaning(slope_ratio, m), m);
+}
+
+float d_beside_acos_naive(float slope_ratio, float m) {
+    // Distribution Term (2), the expensive form, through vectors
+    return d_beckmann_acos_naive(vec3(0.0, 0.0, 1.0), leaning(slope_ratio, m), m);
+}
+
+float cosine_steps(float slope_ratio, float m) {
+    // IEEE 754: below 1 the numbers are 2^-24 apart
+    float t = slope_ratio * m * (slope_ratio * m);
+    return 16777216.0 * t / (1.0 + t + sqrt(1.0 + t));
 }
