@@ -161,6 +161,7 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
 
 TWO_METRES = {"radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
               "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
+UNDER_SKY = {"zenith_radiance": 1.0, "sun_radiance": 25.0, "k_d": 0.2, "k_s": 0.7, "exponent": 40.0}
 SWAP = {"model": 0, "phi": 2.5, "k_d": 0.0, "k_s": 1.0, "exponent": 20.0}
 TWO_METRES = {"light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5,
               "panel_width": 2.0, "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
@@ -224,6 +225,22 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("lights/area_exact", "0.091", 0.091, 5e-4, "irradiance_sphere_light",
      {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": math.pi / 2}),
     ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_light_sampled",
+    ("brdfs/balance", "70 W/m²", 70, 1e-12, "exitance_leaving",
+     {"k_d": 0.5, "k_s": 0.2, "irradiance_facing": 100.0, "theta_l": 0.0}),
+    ("brdfs/reflectance_equation", "gives 0.03 of it", 0.03, 0.005, "sun_share",
+     UNDER_SKY | {"theta_l": math.radians(80), "phi": math.radians(90), "theta_v": math.radians(30)}),
+    ("brdfs/reflectance_equation", "0.84 of the light", 0.84, 0.005, "sun_share",
+     UNDER_SKY | {"theta_l": math.radians(55), "phi": math.pi, "theta_v": math.radians(55)}),
+    ("brdfs/definition", "1.65 per steradian", 1.65, 0.005, "brdf_paint",
+     {"n": (0, 0, 1), "l": (-0.6, 0, 0.8), "v": (0.6, 0, 0.8), "channel": 0, "k_s": 0.15, "exponent": 60.0}),
+    ("brdfs/properties", "here has 1.51", 1.51, 0.005, "hemisphere_meter",
+     {"theta_v": math.radians(22), "radiance": 1.0, "flaw": 0, "k_d": 0.6, "k_s": 0.3, "exponent": 20.0, "weight": 0}),
+    ("brdfs/properties", "f = 1/π, gives 2 without", 2, 1e-12, "hemisphere_meter",
+     {"theta_v": 0.0, "radiance": 1.0, "flaw": 0, "k_d": 1.0, "k_s": 0.0, "exponent": 20.0, "weight": 0}),
+    ("brdfs/lambert", "1/π = 0.318", 0.318, 5e-4, "brdf_lambert",
+     {"n": (0, 0, 1), "l": (0, 0, 1), "v": (0, 0, 1), "rho": 1.0}),
+    ("brdfs/lambert", "The dome has $2\\pi$", 2 * math.pi, 1e-12, "solid_angle_cone", {"half_angle": math.pi / 2}),
+    ("lights/area_work", "26.5, or 1.5 % too much", 26.5, 0.05, "irradiance_panel_sampled",
      TWO_METRES | {"sampling": 5, "level": 1, "seed": 0}),
     ("brdfs/phong", "2.23: more than twice", 2.23, 0.005, "highlight_flux",
      {"model": 0, "theta_l": math.radians(85), "k_d": 0.0, "k_s": 1.0, "exponent": 5.0}),
@@ -325,6 +342,7 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("solid_angle/patch", "solid_angle_patch", "solid_angle_patch_counted", {"samples": 60000}, 3e-3),
     ("solid_angle/cone", "solid_angle_cone", "solid_angle_cone_naive", {}, 1e-6),
     ("solid_angle/differential", "grid_cell", "grid_cell_differential", {"rows": 5000}, 1e-6),
+    ("brdfs/lambert", "projected_solid_angle_cone", "cosine_sum", {"tile_rows": 3000}, 1e-6),
     ("radiometry/radiance", "radiance_sensor_projected", "radiance_sensor", {"half_angle": 1e-3}, 1e-6),
     ("radiometry/inverse_square", "irradiance_sphere", "irradiance_round_far", {"theta": 0.0}, 1e-12),
     ("brdfs/blinn", "blinn_exponent", "blinn_exponent_short", {"exponent": 1000.0}, 2e-4),

@@ -209,6 +209,12 @@ def of_the_facets(a: dict, rng) -> dict:
     return a | {"index": a["index"] % a["facets"]}
 
 
+def a_lamp_above(a: dict, rng) -> dict:
+    """A cone of some width that the horizon does not cut."""
+    half = np.clip(a["half_angle"], 1e-3, 1.2)
+    return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
+
+
 JOINT = {  # arguments that belong together
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
@@ -232,6 +238,8 @@ JOINT = {  # arguments that belong together
     "irradiance_light_sampled": not_along_the_light,
     "light_piece": not_along_the_light,
     "light_sample": of_its_level,
+    "paint_measured": a_lamp_above,
+    "panel_sample": not_along_the_panel,
     "stratified_sample": of_its_level,
     "meets_patch": unit,
     "radiance_sensor": opened,
