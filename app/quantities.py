@@ -243,6 +243,11 @@ SPOKEN = {  # names that a person reads in other words
     "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
     "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
     "lean_l": "light's lean", "lean_v": "eye's lean", "facet": "facet's lean", "theta_h": "facet's tilt",
+    "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
+    "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
+    "r_dot_v": "r·v",
+    "lean": "its angle θ", "lean_l": "light's angle θ", "lean_v": "eye's angle θ", "facet": "facet's lean α",
+    "disk_x": "place on the disk x", "phase": "phase γ", "groove_width": "groove's width",
 }
 
 

@@ -493,7 +493,7 @@ vec4 probe(int i) {
         labels=(Label("Lambert", 0), Label("Oren–Nayar", 1), Label("EON", 2)),
         handles=(Handle("the place", 3, ("disk_x",)), Handle("the groove", 4, ("facet",))),
         legend=(("v", "gets out"), ("r", "meets the other facet")),
-        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.42), field_of_view=14.5),
+        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.36), field_of_view=13.4),
     ),
     plot=(
         Curves(
