@@ -238,24 +238,6 @@ TABLE: dict[str, Quantity] = {
 FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
 
 
-SPOKEN = {  # names that a person reads in other words
-    "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
-    "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
-    "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
-    "lean_l": "light's lean", "lean_v": "eye's lean", "facet": "facet's lean", "theta_h": "facet's tilt",
-    "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
-    "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
-    "r_dot_v": "r·v",
-    "lean": "its angle θ", "lean_l": "light's angle θ", "lean_v": "eye's angle θ", "facet": "facet's lean α",
-    "disk_x": "place on the disk x", "phase": "phase γ", "groove_width": "groove's width",
-}
-
-
-def spoken(name: str) -> str:
-    """The name a person reads: distance, half angle, angle θ."""
-    return SPOKEN.get(name, name.replace("_", " "))
-
-
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
         raise Usage(f"there is no quantity {name}.{near(name, TABLE)}")

@@ -6,9 +6,10 @@ from app.quantities import quantity
 
 WORDS = {  # where the name itself is no word
     "theta": "angle", "phi": "azimuth", "alpha": "width", "rho": "albedo", "eta": "index", "sigma": "spread",
-    "theta_l": "light's angle", "theta_v": "eye's angle", "theta_h": "halfway angle", "theta_d": "difference angle",
-    "lean_l": "light's angle", "lean_v": "eye's angle", "m": "roughness", "k": "extinction", "k_d": "diffuse share",
-    "k_s": "specular share", "kappa": "concentration", "ndf": "distribution", "lobe_scale": "lobe shows",
+    "theta_l": "light's angle", "theta_v": "eye's angle", "theta_h": "angle of h", "theta_d": "angle of l from h",
+    "lean_l": "light's lean", "lean_v": "eye's lean", "facet": "facet's lean", "m": "roughness",
+    "k": "extinction", "k_d": "diffuse share",
+    "k_s": "specular share", "kappa": "concentration", "ndf": "distribution", "lobe_scale": "lobes show",
     "f0": "head-on share", "f82": "share at 82°", "s": "", "t": "", "x": "sideways", "y": "up",
     "xi_1": "", "xi_2": "", "slope2": "", "slope": "", "tangent": "", "steep": "", "disk_x": "place on the disk",
     "x0": "left", "x1": "right", "y0": "near", "y1": "far", "d_theta": "step", "d_phi": "step around",

@@ -1049,6 +1049,8 @@ vec3 ball_centre(int i) {
     return i < 2 ? vec3(-2.35, 0.0, z) : vec3(-0.25 + 1.5 * float((i - 2) / 2), 0.0, z);
 }
 
+float ball_radius(int i) { return i < 2 ? 1.05 : 0.62; }
+
 float share(int i) {
     return highlight_flux(below(i) ? 3 : 2, 0.0, 0.0, k_s, exponent_of(i));
 }
@@ -1060,7 +1062,7 @@ vec3 meter_foot(int i) {
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) {
         int i = ball_number(s, 8);
-        return ball_centre(i) + (i < 2 ? 1.05 : 0.62) * ball_point(s, 8);
+        return ball_point(s, 8, ball_centre(i), ball_radius(i));
     }
     int i = surface - 1;
     return meter_foot(i) + vec3(0.14 * s.x, 0.0, METER * min(share(i), 2.15) * s.y);
@@ -1072,7 +1074,7 @@ vec3 shade(Surface s) {
         return s.position.z > meter_foot(s.id - 1).z + METER + 0.001 ? 0.6 * bar : bar;
     }
     int i = ball_number(s.st, 8);
-    vec3 n = normalize(s.position - ball_centre(i));
+    vec3 n = ball_normal((s.position - ball_centre(i)) / ball_radius(i), s.v);
     float e = exponent_of(i), lit = max(dot(n, LAMP), 0.0);
     float gloss = below(i) ? brdf_blinn_phong(n, LAMP, s.v, 0.0, k_s, e) * lit : shading_blinn_phong(n, LAMP, s.v, 0.0, k_s, e);
     return vec3(1.0) - exp(-1.3 * (vec3(0.10, 0.20, 0.42) * (0.5 * lit + 0.10) + gloss));
@@ -1089,7 +1091,7 @@ vec4 probe(int i) {
     return vec4(-2.3, 0.0, i == 6 ? 2.72 : -2.72, 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(199, 36)), *(Surface(f"flux meter {i}", cells=(1, 1)) for i in range(8))),
+        surfaces=(Surface("balls", cells=(263, 2)), *(Surface(f"flux meter {i}", cells=(1, 1)) for i in range(8))),
         marks=tuple(Mark(f"what arrives {i}", colour="quiet") for i in range(8)),
         labels=(Label("n: yours", 2), Label("5", 3), Label("40", 4), Label("320", 5), Label("as printed", 6, "printed"),
                 Label("normalised", 7)),
@@ -1306,7 +1308,7 @@ vec3 ball_centre(int i) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 1) return ball_centre(4) + vec3(2.6 * s.x - 1.3, 1.3, 2.5 * s.y - 1.25);
-    return ball_centre(ball_number(s, 5)) + ball_point(s, 5);
+    return ball_point(s, 5, ball_centre(ball_number(s, 5)), 1.0);
 }
 
 // Equal steps on a half pie: of the exponent on the left, of the facets' slope on the right
@@ -1319,7 +1321,7 @@ vec3 shade(Surface s) {
     vec3 furnace = vec3(0.62, 0.58, 0.53);
     if (s.id == 1) return furnace;
     int i = ball_number(s.st, 5);
-    vec3 p = s.position - ball_centre(i), n = normalize(p), mirrored = max(studio(reflect(-s.v, n)), 0.0);
+    vec3 n = ball_normal(s.position - ball_centre(i), s.v), p = n, mirrored = max(studio(reflect(-s.v, n)), 0.0);
     bool model = p.x < 0.0;
     float c = max(dot(n, s.v), 0.0), f = f_dielectric(c, 1.5);
     if (abs(p.x) < 0.012) return background;
@@ -1348,7 +1350,7 @@ vec4 probe(int i) {
     return vec4(ball_centre(i - 1) + vec3(0.0, 0.0, -1.28), 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(124, 36)), Surface("furnace", cells=(1, 1))),
+        surfaces=(Surface("balls", cells=(164, 2)), Surface("furnace", cells=(1, 1))),
         marks=(Mark("chosen", colour="exact", line="dashed", segments=64), Mark("angle", colour="v", segments=64, width=1.3)),
         labels=(Label("guessed", 1), Label("angle", 2), Label("metal", 3), Label("exponent", 4), Label("lost", 5),
                 Label("left: Blinn-Phong", 6, "printed"), Label("right: the surface", 7)),

@@ -486,7 +486,7 @@ vec3 ball_centre(int i) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    return ball_point(s, 5, ball_centre(ball_number(s, 5) + surface * INSULATORS));
+    return ball_point(s, 5, ball_centre(ball_number(s, 5) + surface * INSULATORS), 1.0);
 }
 
 vec3 shade(Surface s) {
@@ -591,7 +591,7 @@ vec3 ball_centre(int i) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return ball_point(s, 5, ball_centre(ball_number(s, 5)));
+    if (surface == 0) return ball_point(s, 5, ball_centre(ball_number(s, 5)), 1.0);
     return vec3(-5.6 + 11.2 * s.x, 0.0, -1.7 * (float(surface) - s.y));
 }
 
@@ -715,7 +715,7 @@ vec3 small(int i) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return cap_to_eye(s, LARGE, SIZE);
-    return ball_point(s, 5, small(ball_number(s, 5)));
+    return ball_point(s, 5, small(ball_number(s, 5)), 1.0);
 }
 
 vec3 shade(Surface s) {
@@ -833,7 +833,7 @@ vec3 rough(int surface) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface < 3) return ball_point(s, 5, place(ball_number(s, 5) + 5 * surface));
+    if (surface < 3) return ball_point(s, 5, place(ball_number(s, 5) + 5 * surface), 1.0);
     return cap_to_eye(s, rough(surface), SIZE);
 }
 

@@ -239,7 +239,6 @@ JOINT = {  # arguments that belong together
     "light_piece": not_along_the_light,
     "light_sample": of_its_level,
     "paint_measured": a_lamp_above,
-    "panel_sample": not_along_the_panel,
     "stratified_sample": of_its_level,
     "meets_patch": unit,
     "radiance_sensor": opened,

@@ -22,8 +22,8 @@ int ball_number(vec2 st, int count) {
     return min(int((st.x * float(BALL_COLUMNS * count - 1) + 0.5) / float(BALL_COLUMNS)), count - 1);
 }
 
-vec3 ball_point(vec2 st, int count, vec3 centre) {
+vec3 ball_point(vec2 st, int count, vec3 centre, float radius) {
     int column = int(st.x * float(BALL_COLUMNS * count - 1) + 0.5) % BALL_COLUMNS;
     bool joint = column == 0 || column == BALL_COLUMNS - 1;
-    return cap_to_eye(vec2(float(column - 1) / float(BALL_COLUMNS - 3), joint ? 0.0 : st.y), centre, 1.0);
+    return cap_to_eye(vec2(float(column - 1) / float(BALL_COLUMNS - 3), joint ? 0.0 : st.y), centre, radius);
 }
