@@ -235,6 +235,8 @@ SPOKEN = {  # names that a person reads in other words
     "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
     "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
     "r_dot_v": "r·v",
+    # distributions of facets
+    "ndf": "distribution", "slope_ratio": "slope / m", "exposed": "exposure",
 }
 
 
