@@ -238,6 +238,22 @@ TABLE: dict[str, Quantity] = {
 FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
 
 
+SPOKEN = {  # names that a person reads in other words
+    "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
+    "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
+    "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
+    "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
+    "r_dot_v": "r·v",
+    # distributions of facets
+    "ndf": "distribution", "slope_ratio": "slope / m", "exposed": "exposure",
+}
+
+
+def spoken(name: str) -> str:
+    """The name a person reads: distance, half angle, angle θ."""
+    return SPOKEN.get(name, name.replace("_", " "))
+
+
 def quantity(name: str) -> Quantity:
     if name not in TABLE:
         raise Usage(f"there is no quantity {name}.{near(name, TABLE)}")

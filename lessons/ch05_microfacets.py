@@ -14,6 +14,7 @@ from app.lesson import (
     Dots,
     Exercise,
     Handle,
+    ImageSlice,
     Label,
     Lobes,
     Mark,
@@ -21,6 +22,7 @@ from app.lesson import (
     Prediction,
     Readout,
     Scene,
+    Slice,
     Step,
     Surface,
     Term,
@@ -640,6 +642,8 @@ vec4 probe(int i) {
             y_label="albedo",
         ),
         Lobes(title="Where the light of l goes"),
+        Slice(title="The same, in the plane of l and n", kind="angle"),
+        ImageSlice(title="All pairs, by the angles of h and l"),
     ),
     models=(Model("1/4", Term("brdf_cook_torrance")),
             Model("1/π, as printed", Term("brdf_cook_torrance_printed"), colour="printed")),
@@ -707,8 +711,8 @@ uniform int rows;
 
 const int FACETS = 2000;
 const int MOST = 64; // bars
-const float RADIUS = 1.35;
-const vec3 DOME = vec3(0.65, 0.0, 0.25);
+const float RADIUS = 1.3;
+const vec3 DOME = vec3(0.75, 0.0, 0.2);
 const float HALF = 0.0218166; // of the ring, 1.25 degrees
 const vec3 CORNER = vec3(-2.1, 0.0, -2.15);
 const vec2 BOX = vec2(4.2, 1.75);
@@ -782,11 +786,11 @@ vec4 probe(int i) {
         dots=Dots(count=2000, size=0.75),
         labels=(Label("0°", 2), Label("a = 90°", 3)),
         handles=(Handle("the angle", 0, ("theta_h",)), Handle("the place on the curve", 1, ("theta_h",))),
-        legend=(("d", "facets, counted"), ("l", "in the ring"), ("exact", "the chosen formula")),
-        camera=Camera(azimuth=-90, elevation=12, distance=40, target=(0.1, 0.0, -0.15), field_of_view=7.2),
+        legend=(("d", "facets, counted"), ("l", "in the ring"), ("exact", "formula")),
+        camera=Camera(azimuth=-90, elevation=12, distance=40, target=(0.1, 0.0, -0.25), field_of_view=7.4),
     ),
     plot=Curves(
-        title="The sum of D cos a over all rings",
+        title="Sum of D cos a over the rings",
         sweep="rows",
         curves=(*(Curve(name, Term("facet_area", {"ndf": k, "cosines": 1}), role)
                   for name, k, role in (("Beckmann", 2, "exact"), ("Gauss", 0, "estimate"), ("GGX", 3, "estimate"))),
@@ -797,7 +801,7 @@ vec4 probe(int i) {
         Readout("D(a) by the formula", Term("d_at"), role="exact", unit="1/sr"),
         Readout("counted, ±1.25°", Term("d_counted", {"half_angle": 0.0218166, "facets": 2000}), role="estimate",
                 unit="1/sr", against="D(a) by the formula"),
-        Readout("sum of D cos a over the rings", Term("facet_area", {"cosines": 1}), unit=""),
+        Readout("sum of D cos a", Term("facet_area", {"cosines": 1}), unit=""),
         Readout("the lobe's sum with f_n", Term("facet_area_of_lobe"), role="printed", unit=""),
     ),
     ask=Prediction(

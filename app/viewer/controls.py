@@ -1,5 +1,6 @@
 """The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); a tool-tip says what each means."""
 
+import math
 from collections.abc import Iterable
 
 from imgui_bundle import imgui
@@ -113,7 +114,7 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
 
 def places(spec: ValueSpec, low: float, high: float) -> str:
     if spec.scale == "log" and (high / low > 1e3 or low < 0.01):
-        return "3g"
+        return f"{max(3, math.ceil(-math.log10(low)))}g"  # a logarithmic slider ends at 10^-digits, whatever its low is
     if low >= 100:
         return "0f"
     return "1f" if spec.quantity.is_angle else "2f" if high - low > 0.5 else "3f"
