@@ -124,7 +124,7 @@ vec4 probe(int i) {
     return vec4((i == 1 ? -1.25 : 1.25) * aside() - 1.9 * up(), 1.0);
 }
 """,
-        surfaces=(Surface("with G", cells=(16, 28)), Surface("without G", cells=(16, 28)), Surface("sky", cells=(1, 1))),
+        surfaces=(Surface("with G", cells=(24, 28)), Surface("without G", cells=(24, 28)), Surface("sky", cells=(1, 1))),
         marks=(Mark("ring", colour="v", segments=72, width=1.2, label="θ", label_at=0.12),
                Mark("divide", colour="quiet", line="dotted"), Mark("outline", colour="quiet", segments=72)),
         labels=(Label("with G", 1), Label("without G", 2, "printed")),
