@@ -110,7 +110,7 @@ vec3 shade(Surface s) {
     vec3 sky = vec3(0.20, 0.27, 0.36);
     if (s.id == 2) return sky;
     float light = max(dot(s.position, eye()) / RELIEF, 0.0);
-    return light <= 1.0 ? sky * light : mix(sky, vec3(1.0, 0.55, 0.16), min(0.25 + 0.75 * (light - 1.0), 1.0)) * min(light, 2.0);
+    return light < 1.005 ? sky * light : mix(sky, vec3(1.0, 0.55, 0.16), min(0.25 + 0.75 * (light - 1.0), 1.0)) * min(light, 2.0);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -124,7 +124,7 @@ vec4 probe(int i) {
     return vec4((i == 1 ? -1.25 : 1.25) * aside() - 1.9 * up(), 1.0);
 }
 """,
-        surfaces=(Surface("with G", cells=(24, 48)), Surface("without G", cells=(24, 48)), Surface("sky", cells=(1, 1))),
+        surfaces=(Surface("with G", cells=(24, 28)), Surface("without G", cells=(24, 28)), Surface("sky", cells=(1, 1))),
         marks=(Mark("ring", colour="v", segments=72, width=1.2, label="θ", label_at=0.12),
                Mark("divide", colour="quiet", line="dotted"), Mark("outline", colour="quiet", segments=72)),
         labels=(Label("with G", 1), Label("without G", 2, "printed")),
@@ -319,8 +319,8 @@ vec4 probe(int i) {
         told="0.42. The line of sight over the ridge meets the facet a bit above its middle.",
     ),
     notes="""
-Let them count rays before the formula appears: green ones over all. Then prove it on the board: the line over the ridge
-cuts the facet where the mirror image of the facet in the valley's vertical plane would be met, and two products remain.
+Let them count rays before the formula appears: green ones over all. Then one line on the board: the hidden share is
+-(h'·v)/(h·v), h' being the other side's normal, and h + h' = 2 (n·h) n; so what is left is 2 (n·h)(n·v)/(v·h).
 Ask what G is from straight above: 2. Is that a bug? The formula measures where the line of sight meets the facet's own
 plane; beyond the valley there is no facet. Common wrong answer to the question: a third, from 75 over 90. 6 minutes.
 """,
@@ -522,7 +522,7 @@ vec4 probe(int i) {
     return vec4(2.05 * aside() + (i == 4 ? -2.75 : -0.65) * up(), 1.0);
 }
 """,
-        surfaces=(Surface("map", cells=(96, 48)), Surface("G", cells=(96, 48)), Surface("scale", cells=(1, 16))),
+        surfaces=(Surface("map", cells=(64, 32)), Surface("G", cells=(64, 32)), Surface("scale", cells=(1, 16))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("the same place", colour="exact", segments=24, width=1.2)),
         labels=(Label("which is the least", 2), Label("G", 3), Label("0", 4), Label("1", 5)),
@@ -630,7 +630,7 @@ vec4 probe(int i) {
     return vec4(centre(0) + (i == 5 ? -1.0 : 1.0) * 1.4 * aside() - 2.1 * up(), 1.0);
 }
 """,
-        surfaces=(Surface("gold", cells=(96, 48)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
+        surfaces=(Surface("gold", cells=(72, 36)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
                   Surface("F", cells=(40, 20)), Surface("dark room", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("divide", colour="quiet", line="dotted", segments=32)),
