@@ -169,6 +169,12 @@ TABLE: dict[str, Quantity] = {
     "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),
     "channel": Quantity("c", "", 0, 2, 0, "colour channel: red, green, blue", kind="int"),
     "wavelength_index": Quantity("j", "", 0, 11, 6, "which of twelve wavelengths", kind="int"),
+    # shapes of area lights
+    "light_shape": Quantity("k", "", 0, 3, 0, "which shape: panel, disk, sphere, polygon", kind="int"),
+    "to_light": Quantity("r", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "from the point to the light's middle", kind="vec3"),
+    "reading": Quantity("k", "", 0, 2, 0, "how a program reads the spot: as meant, full angles, +l.d", kind="int"),
+    "given": Quantity("k", "", 0, 2, 0, "which number is given: flux, exitance, radiance", kind="int"),
+    "amount": Quantity("a", "", 0.1, 1000.0, 100.0, "the given one, in W, W/m² or W/(m² sr)", (1e-6, 1e9), "log"),
     # matter: n is +z, v = direction(theta_v, 0), l = direction(theta_l, phi); phi = 180 degrees is the mirror side
     "n": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit normal of the surface", kind="vec3"),
     "l": Quantity("l", "", -1.0, 1.0, (-0.6, 0.0, 0.8), "unit vector to the light", kind="vec3"),
@@ -230,6 +236,24 @@ TABLE: dict[str, Quantity] = {
 
 # Vectors that are no values of a step: they follow from its angles
 FROM_ANGLES = {"n": (), "l": ("theta_l", "phi"), "v": ("theta_v",), "h": ("theta_l", "phi", "theta_v")}
+
+
+SPOKEN = {  # names that a person reads in other words
+    "theta": "angle θ", "phi": "azimuth φ", "alpha": "width α", "rho": "albedo ρ", "eta": "index η",
+    "theta_l": "light's angle θ", "theta_v": "eye's angle θ", "k_d": "diffuse k_d", "k_s": "specular k_s",
+    "m": "roughness m", "lobe_scale": "lobes show", "f0": "F₀", "sigma": "spread σ",
+    "lean_l": "light's lean", "lean_v": "eye's lean", "facet": "facet's lean", "theta_h": "facet's tilt",
+    "theta_h": "angle of h, θ", "theta_d": "angle of l from h, θ", "m": "roughness m", "lobe_scale": "lobes show",
+    "f0": "F₀", "sigma": "spread σ", "n_dot_l": "n·l", "n_dot_v": "n·v", "n_dot_h": "n·h", "l_dot_h": "l·h",
+    "r_dot_v": "r·v",
+    "lean": "its angle θ", "lean_l": "light's angle θ", "lean_v": "eye's angle θ", "facet": "facet's lean α",
+    "disk_x": "place on the disk x", "phase": "phase γ", "groove_width": "groove's width",
+}
+
+
+def spoken(name: str) -> str:
+    """The name a person reads: distance, half angle, angle θ."""
+    return SPOKEN.get(name, name.replace("_", " "))
 
 
 def quantity(name: str) -> Quantity:

@@ -62,7 +62,7 @@ uniform float k_d;
 
 const int RAYS = 32;       // that arrive; twice as many can leave where k_s + k_d is beyond 1
 const float PATCH = 0.9;   // width of dA
-const float TALL = 3.0;    // of the bar
+const float TALL = 2.1;    // of the bar
 const float BAR = 2.1;
 
 int fate(int ray) { // 0 reflected, 1 scattered, 2 absorbed, 3 there is no such ray
@@ -86,35 +86,30 @@ vec2 way(int ray, int node) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) {
-        int ray = int(s.y * float(4 * RAYS - 1) + 0.5) / 2, node = int(s.x * 7.0 + 0.5), kind = fate(ray);
-        int first = ray < RAYS ? 0 : 6, last = kind == 2 ? 5 : kind == 3 ? first : 7;
-        node = clamp(node, first, last);
-        vec2 p = way(ray, node);
+    if (surface == 0) { // one ribbon along all rays, ten cells each, of no width where it goes on to the next
+        int cell = int(s.x * float(20 * RAYS - 1) + 0.5), ray = cell / 10, place = cell % 10, kind = fate(ray);
+        int first = ray < RAYS ? 0 : 6, last = kind == 2 ? 5 : kind == 3 ? first : 7, node = clamp(place - 1, first, last);
         vec2 along = normalize(way(ray, min(node + 1, last)) - way(ray, max(node - 1, first)) + vec2(1e-6, 0.0));
-        bool other = int(s.y * float(4 * RAYS - 1) + 0.5) % 2 == 1;
-        float wide = PATCH / float(RAYS) * max(cos(theta_l), 0.1) * 0.52;
-        p += (other ? wide : -wide) * vec2(-along.y, along.x);
+        float wide = place % 9 == 0 ? 0.0 : PATCH / float(RAYS) * max(cos(theta_l), 0.1) * 1.04;
+        vec2 p = way(ray, node) + wide * (s.y - 0.5) * vec2(-along.y, along.x);
         return vec3(p.x, -0.02 - 0.0005 * float(ray), p.y);
     }
-    if (surface == 1) return vec3(BAR + 0.36 * s.x, -0.01, -1.25 + TALL * 1.42 * s.y);
+    if (surface == 1) return vec3(BAR + 0.36 * s.x, -0.01, -1.25 + TALL * 2.0 * s.y);
     if (surface == 2) return vec3(-2.0 + 3.8 * s.x, 0.12, -1.25 * s.y);
     return vec3(PATCH * (s.x - 0.5), -0.04, 0.035 * (s.y - 0.5));
 }
 
 vec3 shade(Surface s) {
     if (s.id == 0) {
-        float row = s.st.y * float(4 * RAYS - 1);
-        int ray = int(row + 0.5) / 2, kind = fate(ray);
-        if (int(floor(row)) % 2 == 1 || kind == 3) discard; // between two rays
-        float at = s.st.x * 7.0;
+        float cell = s.st.x * float(20 * RAYS - 1), at = mod(cell, 10.0) - 1.0;
+        int ray = int(cell) / 10, kind = fate(ray);
         if (ray >= RAYS || at < 1.0) return palette[ray < RAYS ? COLOUR_L : COLOUR_EXACT];
         if (kind == 0) return palette[COLOUR_R];
         vec3 inside = mix(palette[COLOUR_L], kind == 1 ? palette[COLOUR_V] : palette[COLOUR_LOST], smoothstep(1.0, 5.0, at));
         return at < 6.0 ? inside * 0.75 : palette[COLOUR_V];
     }
     if (s.id == 1) {
-        float u = s.st.y * 1.42 * TALL / (TALL * max(cos(theta_l), 0.02)); // of what arrives
+        float u = s.st.y * 2.0 / max(cos(theta_l), 0.02); // of what arrives
         if (u > max(1.0, k_s + k_d)) discard;
         vec3 kind = u < k_s ? palette[COLOUR_R] : u < k_s + k_d ? palette[COLOUR_V] : palette[COLOUR_LOST];
         return u < 1.0 || s.st.x > 0.5 ? kind : palette[COLOUR_EXACT];
@@ -147,7 +142,7 @@ vec4 probe(int i) {
     return i == 3 ? vec4(-1.45, -0.1, -0.95, 1.0) : vec4(-0.75, -0.1, -0.16, 1.0);
 }
 """,
-        surfaces=(Surface("rays", cells=(7, 127)), Surface("bar", cells=(1, 1)), Surface("body", cells=(1, 1)),
+        surfaces=(Surface("rays", cells=(639, 1)), Surface("bar", cells=(1, 1)), Surface("body", cells=(1, 1)),
                   Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"),
                Mark("angle", colour="exact", segments=24, label="θ", label_at=0.5), Mark("surface", colour="quiet")),
@@ -159,7 +154,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-90, elevation=3, distance=10.8, target=(0.2, 0.0, 0.75), field_of_view=24),
     ),
     plot=Curves(
-        title="The patch's balance by the angle of the light", sweep="theta_l",
+        title="By the angle of the light", sweep="theta_l",
         curves=(Curve("arrives", Term("irradiance_directional", {"theta": "theta_l"})),
                 Curve("leaves", Term("exitance_leaving"), role="estimate"),
                 Curve("reflected alone", Term("exitance_reflected"), role="printed")),
@@ -172,18 +167,18 @@ vec4 probe(int i) {
         Readout("absorbed", Term("irradiance_absorbed"), unit="W/m²"),
     ),
     ask=Prediction(
-        question="100 W/m² arrive. A fifth is reflected, three tenths are scattered, and nothing shines through. How much "
-                 "leaves the patch?",
-        truth=Term("exitance_leaving", {"k_s": 0.2, "k_d": 0.3, "irradiance_facing": 100.0, "theta_l": 0.0}),
+        question="100 W/m² arrive. A fifth is reflected, half of it is scattered, and nothing shines through. How much leaves "
+                 "the patch?",
+        truth=Term("exitance_leaving", {"k_s": 0.2, "k_d": 0.5, "irradiance_facing": 100.0, "theta_l": 0.0}),
         unit="W/m²", low=0.0, high=100.0,
-        sets={"k_s": 0.2, "k_d": 0.3, "theta_l": 0.0},
-        told="50 W/m². The other half is absorbed: it leaves later, as heat, and the shading of this course does not count it.",
+        sets={"k_s": 0.2, "k_d": 0.5, "theta_l": 0.0},
+        told="70 W/m². The other 30 are absorbed: that leaves later, as heat, and the shading of this course does not count it.",
     ),
     notes="""
 Ask where the light of the lecture room goes: in a few nanoseconds all of it is heat. Then the three fates. The slide lists
 absorbed energy as leaving; say it kindly: the balance has three terms, the exitance has two. Let someone set both shares
 beyond 1 together: the rays out of nothing are the point of the rule k_s + k_d ≤ 1, which returns with Blinn-Phong. Usual wrong
-answer to the question: 100, since energy is conserved; it is, and half of it is warm now. 4 minutes.
+answer to the question: 100, since energy is conserved; it is, and 30 of it are warm now. 4 minutes.
 """,
     sources=("Deck, slides BRDF - The Reflectance Equation (1) and (2)",),
     honesty="The shares are exact, for an opaque patch that emits nothing. The wandering of the scattered rays is drawn by "
@@ -270,7 +265,7 @@ vec4 probe(int i) {
     return i == 1 ? vec4(1.3 * view_direction(theta_v), 1.0) : vec4(0.0, -0.3, -0.04, 1.0);
 }
 """,
-        surfaces=(Surface("sky", cells=(96, 24)), Surface("floor", cells=(48, 4)), Surface("patch", cells=(1, 1))),
+        surfaces=(Surface("sky", cells=(64, 12)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the sun", colour="l", tip="sun", label="sun"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("mirror of the eye", colour="r", line="dotted", tip="arrow"), Mark("horizon", colour="quiet", segments=96)),
@@ -280,7 +275,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-42, elevation=16, distance=5.2, target=(0.05, 0.0, 0.5)),
     ),
     plot=Curves(
-        title="The sum against the number of rows", sweep="tile_rows",
+        title="The sum, by rows of tiles", sweep="tile_rows",
         curves=(Curve("the integral", Term("reflected_radiance", UNDER_SKY)),
                 Curve("sum over the tiles", Term("reflected_radiance_sum", UNDER_SKY), role="estimate")),
         y_label="L_o, W/(m² sr)",
@@ -335,7 +330,9 @@ For one $\omega_i$ it is a lobe over all $\omega_o$: how the light of the beam i
 lobe turns; [straight down](?theta_l=0), [low](?theta_l=75). Each channel has its own: the body sends back red, hardly any
 [green](?channel=1) or [blue](?channel=2), the varnish all alike.
 
-Its unit is 1/sr. The glass dome is $f = 1$. [Polish the varnish](?exponent=60).
+Its unit is 1/sr; the glass dome is $f = 1$. [Polish the varnish](?exponent=60).
+
+A real lamp has some size and measures a mean; [open it](?half_angle=20), [close it](?half_angle=1).
 """,
     scene=Scene(
         glsl="""
@@ -346,6 +343,7 @@ uniform float theta_l;
 uniform float theta_v;
 uniform float phi;
 uniform float exponent;
+uniform float half_angle;
 uniform int channel;
 
 const vec3 UP = vec3(0.0, 0.0, 1.0);
@@ -364,8 +362,8 @@ vec3 surface_point(int surface, vec2 s) {
     }
     if (surface == 1) return SCALE * cap_point(0.5 * PI, s.x, s.y);
     if (surface == 2) return vec3(1.9 * (2.0 * s - 1.0) * vec2(1.0, 0.8), -0.012);
-    vec3 a = normalize(cross(l, vec3(0.0, 1.0, 0.02))), b = cross(a, l); // the beam
-    return 2.6 * s.y * normalize(l + 0.045 * (cos(2.0 * PI * s.x) * a + sin(2.0 * PI * s.x) * b));
+    vec3 rim = cos(2.0 * PI * s.x) * direction_theta(theta_l, phi) + sin(2.0 * PI * s.x) * direction_phi(phi);
+    return 1.9 * s.y * (cos(half_angle) * l + sin(half_angle) * rim); // the beam
 }
 
 vec3 shade(Surface s) {
@@ -392,7 +390,7 @@ vec4 probe(int i) {
     return vec4(2.0 * (i == 0 ? light_direction(theta_l, phi) : view_direction(theta_v)), 1.0);
 }
 """,
-        surfaces=(Surface("lobe", cells=(64, 48)), Surface("f = 1", cells=(64, 16), opacity=0.14),
+        surfaces=(Surface("lobe", cells=(40, 24)), Surface("f = 1", cells=(48, 12), opacity=0.14),
                   Surface("wood", cells=(1, 1)),
                   Surface("beam", cells=(32, 1), opacity=0.45)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the lamp", colour="l", tip="sun", label="ωi"),
@@ -413,9 +411,8 @@ vec4 probe(int i) {
     ),
     models=(Model("varnished wood", Term("brdf_paint", {"k_s": 0.15})),),
     readouts=(
-        Readout("f for red", Term("brdf_paint", {"channel": 0, "k_s": 0.15}), role="exact", unit="1/sr"),
-        Readout("f for green", Term("brdf_paint", {"channel": 1, "k_s": 0.15}), role="exact", unit="1/sr"),
-        Readout("f for blue", Term("brdf_paint", {"channel": 2, "k_s": 0.15}), role="exact", unit="1/sr"),
+        Readout("f", Term("brdf_paint", {"k_s": 0.15}), role="exact", unit="1/sr"),
+        Readout("dL/dE with this lamp", Term("paint_measured", {"k_s": 0.15}), role="estimate", unit="1/sr", against="f"),
     ),
     ask=Prediction(
         question="No surface gives back more than it gets, and this varnish reflects 15 %. Can its BRDF be larger than 1?",
@@ -438,8 +435,8 @@ between lamp and eye counts here, the wood is isotropic. Common wrong answer: f 
     honesty="Exact for this paint, which is made up: matt red and a white highlight of 15 %, with no Fresnel term. Real varnish "
             "reflects more at a slant. The grain of the wood is painted on.",
     values=(Value("theta_l", 45.0, low=0.0, high=85.0), Value("theta_v", 32.0, low=0.0, high=89.0),
-            Value("exponent", 36.0, low=2.0, high=60.0), Value("channel", 0, choices=("red", "green", "blue")),
-            Value("phi", 160.0, more=True)),
+            Value("channel", 0, choices=("red", "green", "blue")), Value("half_angle", 4.0, low=0.5, high=25.0),
+            Value("exponent", 36.0, low=2.0, high=60.0, more=True), Value("phi", 160.0, more=True)),
     minutes=5,
 )
 
@@ -478,7 +475,7 @@ const vec3 UP = vec3(0.0, 0.0, 1.0);
 const float SIZE = 1.35; // metres per 1/sr
 
 float brdf(vec3 from, vec3 to) {
-    return brdf_flawed(UP, from, to, radiance, flaw, 0.6, 0.3, exponent) / radiance;
+    return ratio_flawed(UP, from, to, radiance, flaw, 0.6, 0.3, exponent);
 }
 
 vec3 lit_from(int lobe) { // lobe 1: lamp and eye have changed places
@@ -518,8 +515,8 @@ vec4 probe(int i) {
     return vec4(2.1 * lit_from(i), 1.0);
 }
 """,
-        surfaces=(Surface("light from l", cells=(64, 48)), Surface("light from v", cells=(64, 48), opacity=0.4),
-                  Surface("patch", cells=(64, 1))),
+        surfaces=(Surface("light from l", cells=(40, 24)), Surface("light from v", cells=(40, 24), opacity=0.4),
+                  Surface("patch", cells=(48, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("lamp", colour="l", tip="sun", label="l"),
                Mark("eye", colour="v", tip="eye", label="v"), Mark("f(l,v)", colour="v", tip="dot", width=2.0),
                Mark("f(v,l)", colour="l", tip="dot", width=2.0), Mark("as long", colour="exact", line="dashed", segments=32)),
@@ -529,16 +526,16 @@ vec4 probe(int i) {
     ),
     plot=(
         Curves(
-            title="The two integrals, by the angle of the eye", sweep="theta_v",
+            title="Two integrals of the lobe", sweep="theta_v",
             curves=(Curve("∫ f cos θ dω, must be ≤ 1", Term("hemisphere_meter", BROKEN | {"weight": 1})),
                     Curve("∫ f dω, as printed", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed")),
             y_label="over all directions of the light",
         ),
-        Lobes("Where the light of the lamp goes"),
+        Slice("Cut by the plane of n and l", (Model("this surface, L = 1", Term("brdf_flawed", BROKEN | {"radiance": 1.0})),)),
     ),
     readouts=(
-        Readout("f(l,v)", Term("brdf_flawed", BROKEN), role="exact", unit="1/sr", absent="0/0, not a number"),
-        Readout("f(v,l)", Term("brdf_flawed", BROKEN | {"l": "v", "v": "l"}), role="estimate", unit="1/sr", against="f(l,v)",
+        Readout("f(l,v)", Term("ratio_flawed", BROKEN), role="exact", unit="1/sr", absent="0/0, not a number"),
+        Readout("f(v,l)", Term("ratio_flawed", BROKEN | {"l": "v", "v": "l"}), role="estimate", unit="1/sr", against="f(l,v)",
                 absent="0/0, not a number"),
         Readout("∫ f cos θ dω", Term("hemisphere_meter", BROKEN | {"weight": 1}), unit="", absent="0/0, not a number"),
         Readout("∫ f dω", Term("hemisphere_meter", BROKEN | {"weight": 0}), role="printed", unit="", absent="0/0, not a number"),
@@ -547,7 +544,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A glossy plate, lamp at 70°, camera at 40°: its BRDF there is 0.25 per steradian. Lamp and camera change "
                  "places. What is it now?",
-        truth=Term("brdf_flawed", BROKEN | {"l": "v", "v": "l"}),
+        truth=Term("ratio_flawed", BROKEN | {"l": "v", "v": "l"}),
         unit="1/sr",
         choices=(Choice("less", 0.0, 0.245), Choice("the same", 0.245, 0.255), Choice("more", 0.255, 10.0)),
         sets={"flaw": 0, "theta_l": 70.0, "theta_v": 40.0, "phi": 180.0, "exponent": 20.0, "radiance": 1.0},
@@ -649,9 +646,9 @@ vec4 probe(int i) {
     return i == 3 ? vec4(-0.55, -1.05, -0.1, 1.0) : vec4(CHALK + vec3(0.0, 0.0, -0.62), 1.0);
 }
 """,
-        surfaces=(Surface("tiles", cells=(96, 24), opacity=0.86), Surface("dropped tiles", cells=(96, 24)),
-                  Surface("floor", cells=(96, 1)), Surface("chalk", cells=(48, 24)),
-                  Surface("dome", cells=(64, 16), opacity=0.16)),
+        surfaces=(Surface("tiles", cells=(64, 12), opacity=0.86), Surface("dropped tiles", cells=(64, 12)),
+                  Surface("floor", cells=(64, 1)), Surface("chalk", cells=(32, 16)),
+                  Surface("dome", cells=(48, 12), opacity=0.16)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
                Mark("dropped rim", colour="v", segments=96), Mark("edge", colour="quiet", segments=96),
                *(Mark(f"drop {i}", colour="v", line="dotted", width=0.8) for i in range(8))),
@@ -673,6 +670,7 @@ vec4 probe(int i) {
         Readout("Σ cos θ ΔΩ", Term("cosine_sum"), role="estimate", against="dropped ∫ cos θ dω"),
         Readout("f = ρ/π", Term("brdf_lambert", {"n": UP, "l": UP, "v": UP}), role="exact", unit="1/sr"),
     ),
+    models=(Model("matt", Term("brdf_lambert")),),
     ask=Prediction(
         question="A white, matt surface sends back all it gets, evenly. Its BRDF is one number. Which?",
         truth=Term("brdf_lambert", {"n": UP, "l": UP, "v": UP, "rho": 1.0}),

@@ -14,6 +14,7 @@ from app.export.still import still
 from app.inspection import inspect, words
 from app.lesson import Model, Term
 from app.optics.lambert import brdf_lambert
+from app.optics.weak_furnace import albedo_without_g
 from app.problem import Usage
 from app.session import Session
 from app.state import defaults
@@ -213,6 +214,9 @@ TWINS = {  # the course's own: arguments, and what is red with its worst value; 
     "brdf_eon": ({"rho": 1.0, "roughness": 1.0}, {}),
     "brdf_oren_nayar": ({"rho": 1.0}, {"energy": 1 - 0.09 / (2 * 0.09 + 0.66) + 0.5 * 0.45 * 0.09 / (0.09 + 0.09)}),
 }
+GEOMETRY = {  # the geometry term of brdf_geometry -> which badge is red, and its worst value
+    1: {}, 2: {}, 3: {}, 0: {"energy": None},
+}
 ORDINARY = {"k_d": 0.5, "k_s": 0.5, "f0": 1.0, "rho": 0.8, "sigma": 0.3}
 
 
@@ -223,6 +227,17 @@ def test_the_course_s_models_are_what_the_lessons_say(function):
     assert {name for name in NAMES if not found[name].ok} == set(red)
     if red.get("energy"):
         assert found["energy"].worst == pytest.approx(red["energy"], abs=2e-3)
+
+
+@pytest.mark.parametrize("geometry", GEOMETRY)
+@pytest.mark.parametrize("m", [0.1, 0.5, 1.0])
+def test_only_without_a_geometry_term_light_is_made(geometry, m):
+    """Worst at the lowest eye that is tried; the factor there is the twin's albedo."""
+    found = badges.of_model(Model("G", Term("brdf_geometry", {"geometry": geometry, "m": m})), ORDINARY)
+    assert {name for name in NAMES if not found[name].ok} == set(GEOMETRY[geometry])
+    if geometry == 0:
+        at = found["energy"].at["theta_v"]
+        assert at > 1.5 and found["energy"].worst == pytest.approx(float(albedo_without_g(at, m)), rel=2e-2)
 
 
 def test_what_a_badge_tells():

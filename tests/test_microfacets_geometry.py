@@ -129,7 +129,8 @@ def test_albedos_in_closed_form_are_the_integrals(theta_v):
 def test_eon_keeps_all_light_and_oren_nayar_does_not():
     mu, r = np.meshgrid(np.linspace(0, 1, 41), np.linspace(0, 1, 21))
     assert np.allclose(twin("albedo_eon")(mu, 1.0, r), 1, rtol=0, atol=1e-15)
-    assert np.max(twin("albedo_oren_nayar")(mu, 1.0, 1.0)) < 0.98
+    assert np.max(twin("albedo_oren_nayar")(mu, 1.0, 1.0)) < 0.84
+    assert twin("albedo_oren_nayar")(0.0, 1.0, 0.2) == pytest.approx(1.0151, abs=1e-4), "it makes light at the horizon"
     assert twin("albedo_oren_nayar")(0.5, 0.7, 0.0) == twin("albedo_eon")(0.5, 0.7, 0.0) == 0.7
 
 

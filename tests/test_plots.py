@@ -12,9 +12,11 @@ import pytest
 
 from app.lesson import Camera, Curve, Curves, Faces, Figure, ImageSlice, Lobes, Model, Sheet, Slice, Term
 from app.plots import PlotDied, PlotProcess, picture
+from app.plots.curves import colour_of
 from app.plots.dashes import along, dashed
+from app.plots.look import Look
 from app.plots.models import Scale, lit
-from app.plots.sweep import Sweep
+from app.plots.sweep import Sweep, linear_frame
 from app.plots.ticks import Axis, linear_ticks, nice, number
 from app.plots.words import Entry, header, wrapped
 from app.problem import Problem
@@ -261,6 +263,19 @@ def test_numbers_and_symbols_in_words():
     assert axis_title("distance") == "distance r in m"
     assert nice(0.31) == pytest.approx(0.4)
     assert linear_ticks(1.0, 1.0, 5) == [1.0]
+
+
+def test_an_axis_ends_where_the_curves_end():
+    """A share that reaches 1 has an axis to 1; gold's 1.034 one to 1.2."""
+    assert [linear_frame(np.array([0.0, most])).high for most in (1.0, 1.0346, 0.31)] == pytest.approx([1.0, 1.2, 0.4])
+    assert (linear_frame(np.array([-1.0, 2.0])).low, linear_frame(np.array([-3.0, -1.0])).low) == (-1.0, -3.0)
+
+
+def test_a_curve_may_have_its_own_colour(plots):
+    look = Look(THEMES["projector"], (420, 420))
+    cone = Curve("cone", Term("solid_angle_cone"))
+    assert colour_of(cone, look) == look.colour("exact") != colour_of(replace(cone, colour="#C99A1E"), look)
+    assert np.allclose(colour_of(replace(cone, colour="#C99A1E"), replace(look, theme=THEMES["light"])), rgb("#C99A1E"))
 
 
 def test_a_legend_wraps_into_the_width():

@@ -53,8 +53,8 @@ def facets_lit(theta_l, theta_v, phi, m, half_angle, facets):
 
     count of |facet_normal - h| <= 2 sin(half_angle / 2), h = (l + v) / |l + v|
 
-    theta_l, theta_v, phi (...) rad, m (...), half_angle (...) rad: half of the lamp's own radius in angle,
-    facets (...) >= 1. Returns (...). Errors: as a share of all, of order sqrt(count) / facets.
+    theta_l, theta_v, phi (...) rad, m (...), half_angle (...) rad: half the angular radius of a lamp that shines back
+    along l; across the plane of l and v it would be 1 / l.h wider. facets (...) >= 1. Returns (...). Errors: none.
     Source: deck, The Torrance - Sparrow Microfacet Model (2).
     """
     given = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta_l, theta_v, phi, m, half_angle, facets)))

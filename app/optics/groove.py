@@ -6,6 +6,7 @@ is that of a direction, seen along the groove. Only the other facet can stand in
 
 import numpy as np
 
+FREE = 1e9
 
 def groove_point(facet, t):
     """A point of a facet's profile: t goes from the valley up to the ridge.
@@ -60,24 +61,35 @@ def groove_hidden(facet, lean):
     return np.where(facing > 0, np.clip(share, 0, 1), 1.0)[()]
 
 
+def groove_reach(facet, t, lean):
+    """How far the ray from the point t of a facet goes until the groove stops it; 1e9 where it never does.
+
+    0 where it goes into its own facet; t |sin 2 facet| / -cos(facet + lean) to the other one, if it meets that between
+    valley and ridge
+
+    facet, lean (...) rad, t (...) in [0, 1]. Returns (...), in lengths of a facet. Errors: none; a ray through a ridge
+    may go either way. Source: two lines crossing.
+    """
+    facet, t, lean = np.broadcast_arrays(*(np.asarray(x, float) for x in (facet, t, lean)))
+    valley = groove_point(facet, 0.0)
+    up, other = groove_point(facet, 1.0) - valley, groove_point(-facet, 1.0) - valley
+    way = np.stack([np.sin(lean), np.zeros_like(lean), np.cos(lean)], -1)
+    towards = -np.cos(facet + lean)  # positive: on to the other facet's front
+    length = t * np.abs(np.sin(2 * facet)) / np.where(towards > 0, towards, 1.0)
+    along = np.sum((t[..., None] * up + length[..., None] * way) * other, -1)  # from the valley to its ridge at 1
+    meets = (towards > 0) & (length > 0) & (along >= 0) & (along <= 1)
+    return np.where(np.cos(facet - lean) <= 0, 0.0, np.where(meets, length, FREE))[()]
+
+
 def groove_blocked(facet, t, lean):
     """Whether the ray from the point t of a facet is stopped by the groove: 1.0 or 0.0.
 
-    It goes into its own facet, or it meets the other one between valley and ridge.
+    groove_reach < 1e9
 
     facet, lean (...) rad, t (...) in [0, 1]. Returns (...). Errors: none; a ray through a ridge may count either way.
     Source: two lines crossing; the closed form is groove_hidden.
     """
-    facet, t, lean = np.broadcast_arrays(*(np.asarray(x, float) for x in (facet, t, lean)))
-    valley, ridge = groove_point(facet, 0.0)[..., ::2], groove_point(-facet, 1.0)[..., ::2]
-    start, way = groove_point(facet, t)[..., ::2], np.stack([np.sin(lean), np.cos(lean)], -1)
-    own = np.stack([np.sin(facet), np.cos(facet)], -1)
-    other = own * np.array([-1.0, 1.0])
-    towards = np.sum(way * other, -1)  # negative: on to the other facet's front
-    length = -np.sum((start - valley) * other, -1) / np.where(towards < 0, towards, -1.0)
-    along = np.sum((start + length[..., None] * way - valley) * (ridge - valley), -1)
-    meets = (towards < 0) & (length > 0) & (along >= 0) & (along <= 1)
-    return np.where(meets | (np.sum(way * own, -1) <= 0), 1.0, 0.0)[()]
+    return (groove_reach(facet, t, lean) < FREE).astype(float)[()]
 
 
 def groove_hidden_counted(facet, lean, samples):

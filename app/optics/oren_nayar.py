@@ -20,7 +20,7 @@ def brdf_oren_nayar(n, l, v, rho, sigma):
     B = 0.45 sigma^2 / (sigma^2 + 0.09); 0 unless n.l > 0 and n.v > 0
 
     n, l, v (..., 3) unit vectors, rho (...) albedo of a facet, sigma (...) rad, spread of the facets' tilts.
-    Returns (...) 1/sr. Errors: against their full model, up to a tenth; it loses light.
+    Returns (...) 1/sr. Errors: at rho = 1 it loses up to 0.44 of the light, and makes up to 0.015 at the horizon.
     Source: Oren and Nayar 1994, Generalization of Lambert's reflectance model, the qualitative model.
     """
     n_dot_l, n_dot_v, s = _cosines(n, l, v)

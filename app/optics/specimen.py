@@ -5,8 +5,8 @@ from numpy import pi
 
 from app.optics.lambert import brdf_lambert
 from app.optics.phong import brdf_phong
-from app.optics.sky import _TURN, _Z, _ZW
-from app.optics.spherical import direction, view_direction
+from app.optics.sky import _TURN, _W, _X, _Z, _ZW
+from app.optics.spherical import direction, direction_phi, direction_theta, view_direction
 
 _PAINT = np.array([0.62, 0.16, 0.10])
 _UP = np.array([0.0, 0.0, 1.0])
@@ -48,6 +48,16 @@ def brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
     return np.where((n_dot_l > 0) & (n_dot_v > 0), value, 0.0)[()]
 
 
+def ratio_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent):
+    """brdf_flawed over the incoming radiance: of a BRDF it is the same for every radiance, flaw 4 is none.
+
+    brdf_flawed(...) / L
+
+    The arguments of brdf_flawed. Returns (...) 1/sr. Errors: those of brdf_flawed. Source: deck, The BRDF (1).
+    """
+    return brdf_flawed(n, l, v, radiance, flaw, k_d, k_s, exponent) / np.asarray(radiance, float)
+
+
 def hemisphere_meter(theta_v, radiance, flaw, k_d, k_s, exponent, weight):
     """The BRDF with its flaw, integrated over all directions of the light: with the cosine it is the albedo.
 
@@ -64,3 +74,25 @@ def hemisphere_meter(theta_v, radiance, flaw, k_d, k_s, exponent, weight):
         row = np.sum(brdf_flawed(_UP, direction(np.arccos(z), _TURN), v, *column[1:6]), -1)
         total += dz * np.where(args[6] == 1, z, 1.0) * row
     return (total * pi / 48 / args[1])[()]
+
+
+def paint_measured(theta_l, phi, theta_v, half_angle, channel, k_s, exponent):
+    """brdf_paint as it is measured: the radiance to the eye over the irradiance, with a round lamp of some size.
+
+    int f cos dw / int cos dw over the cone of half_angle about the light's direction, what is below the horizon cut off
+
+    theta_l, phi, theta_v (...) rad, half_angle (...) rad > 0, channel (...) int, k_s (...) share, exponent (...) >= 0.
+    Returns (...) 1/sr. Errors: 1e-12 where the horizon does not cut the cone, else 1e-2. As an estimate of f itself its
+    error is that of a mean over the cone. Source: deck, The BRDF (1).
+    """
+    theta_l, phi, theta_v, half_angle, channel, k_s, exponent = (
+        np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
+            theta_l, phi, theta_v, half_angle, channel, k_s, exponent))
+    x, w = 0.5 + 0.5 * _X[:, None], 0.5 * _W[:, None]
+    turn = (np.arange(32) + 0.5) * pi / 16
+    l, a, b = direction(theta_l, phi), direction_theta(theta_l, phi), direction_phi(phi)
+    q = (2 * np.sin(0.5 * half_angle) ** 2 * x)[..., None]
+    d = l - q * l + np.sqrt(q * (2 - q)) * (np.cos(turn)[:, None] * a + np.sin(turn)[:, None] * b)
+    cosine = w * np.maximum(d[..., 2], 0)
+    part = cosine * brdf_paint(_UP, d, view_direction(theta_v), channel, k_s, exponent)
+    return (np.sum(part, (-1, -2)) / np.sum(cosine, (-1, -2)))[()]

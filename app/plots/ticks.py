@@ -70,7 +70,7 @@ def linear_ticks(low: float, high: float, most: int, degrees: bool = False, whol
 def nice(value: float) -> float:
     """The next round number upwards."""
     scale = 10.0 ** math.floor(math.log10(value))
-    return next(m * scale for m in (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 20) if m * scale >= value * (1 - 1e-12))
+    return next(m * scale for m in (1, 1.2, 1.5, 2, 3, 4, 5, 6, 8, 10, 20) if m * scale >= value * (1 - 1e-12))
 
 
 def number(value: float) -> str:

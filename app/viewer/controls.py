@@ -51,8 +51,8 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
     """The choices of a value, in as many lines as they need; a slider is one."""
     found: list[list[int]] = [[]]
     style, x = imgui.get_style(), 0.0
-    for i, text in enumerate(spec.choices):
-        width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(text).x
+    for i in range(int(spec.low), int(spec.high) + 1) if spec.choices else ():
+        width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(spec.choices[i]).x
         if found[-1] and x + width > room:
             found.append([])
             x = 0.0

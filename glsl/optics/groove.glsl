@@ -22,16 +22,20 @@ float groove_hidden(float facet, float lean) {
     return facing > 0.0 ? clamp(-cos(facet + lean) / facing, 0.0, 1.0) : 1.0;
 }
 
+float groove_reach(float facet, float t, float lean) {
+    // Two lines crossing: 0 into its own facet, else to the other one between valley and ridge; 1e9: free
+    vec3 valley = groove_point(facet, 0.0), up = groove_point(facet, 1.0) - valley;
+    float towards = -cos(facet + lean);
+    if (cos(facet - lean) <= 0.0) return 0.0;
+    if (towards <= 0.0) return 1e9;
+    float far = t * abs(sin(2.0 * facet)) / towards;
+    float along = dot(t * up + far * vec3(sin(lean), 0.0, cos(lean)), groove_point(-facet, 1.0) - valley);
+    return far > 0.0 && along >= 0.0 && along <= 1.0 ? far : 1e9;
+}
+
 float groove_blocked(float facet, float t, float lean) {
-    // Two lines crossing: into its own facet, or on the other one between valley and ridge
-    vec3 own = vec3(sin(facet), 0.0, cos(facet)), way = vec3(sin(lean), 0.0, cos(lean));
-    vec3 other = vec3(-own.x, 0.0, own.z), valley = groove_point(facet, 0.0), start = groove_point(facet, t) - valley;
-    if (dot(way, own) <= 0.0) return 1.0;
-    float towards = dot(way, other);
-    if (towards >= 0.0) return 0.0;
-    float far = -dot(start, other) / towards;
-    float along = dot(start + far * way, groove_point(-facet, 1.0) - valley);
-    return far > 0.0 && along >= 0.0 && along <= 1.0 ? 1.0 : 0.0;
+    // Into its own facet, or on the other one
+    return groove_reach(facet, t, lean) < 1e9 ? 1.0 : 0.0;
 }
 
 float groove_open(float facet, float lean_l, float lean_v) {
