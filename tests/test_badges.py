@@ -18,7 +18,10 @@ from app.optics.weak_furnace import albedo_without_g
 from app.problem import Usage
 from app.session import Session
 from app.state import defaults
+from app.terms import vector
 from app.theme import THEMES, colour
+from app.validation import validate
+from tests import small_lesson
 from tests.small_lesson import model_lesson
 
 PI = np.pi
@@ -281,3 +284,40 @@ def test_inspect_and_stills_have_the_badges(tmp_path, ctx):
     for name in ("v", "r"):
         wanted = np.round(255 * np.array(colour(name, THEMES["dark"])))
         assert (np.abs(picture[550:].astype(int) - wanted).max(-1) <= 3).sum() > 100, name
+
+
+@pytest.mark.parametrize(("old", "new", "sentence"), [
+    ('Term("brdf_phong")', 'Term("f_schlick")', "f_schlick is neither a brdf_ nor a shading_."),
+    ('Term("brdf_phong")', 'Term("brdf_eon_at")', "brdf_eon_at takes no l."),
+    ('Term("brdf_phong")', 'Term("brdf_fong")', "there is no function brdf_fong. Did you mean "),
+    ('Term("brdf_phong")', 'Term("brdf_phong", {"k_s": "gloss"})', "gloss of brdf_phong is neither given nor a value."),
+])
+def test_a_wrong_model_is_told_with_its_line(old, new, sentence, tmp_path):
+    folder = model_lesson(tmp_path)
+    file = folder / "ch01_small.py"
+    file.write_text(file.read_text("utf-8").replace(old, new), "utf-8")
+    catalog.forget()
+    (loaded,) = catalog.chapters(folder)
+    found = [fault for fault in validate(loaded) if sentence in fault]
+    assert found and found[0].startswith(f"lessons/ch01_small.py, line {small_lesson.line(folder, new)}: ")
+
+
+def test_a_plot_of_models_needs_some(tmp_path):
+    curves = 'Curves("Cone", "half_angle", (Curve("cone", Term("solid_angle_cone")),), "sr")'
+    folder = small_lesson.write(tmp_path, (f"plot={curves}", 'plot=Lobes("Lonely")'))
+    (loaded,) = catalog.chapters(folder)
+    assert any("the plot 'Lonely' shows models, and neither it nor the step has any." in f for f in validate(loaded))
+
+
+def test_vectors_follow_from_the_angles(tmp_path):
+    """n, l, v and h are no values; a scene that asks for them is told what to do."""
+    found = catalog.step("small/open", model_lesson(tmp_path))
+    assert not {"n", "l", "v", "h"} & set(found.values)
+    values = {"theta_l": 0.7, "phi": 2.0, "theta_v": 0.3}
+    l, v, h = (vector(name, values) for name in ("l", "v", "h"))
+    assert l == pytest.approx([math.sin(0.7) * math.cos(2), math.sin(0.7) * math.sin(2), math.cos(0.7)])
+    assert v == pytest.approx([math.sin(0.3), 0, math.cos(0.3)])
+    assert h == pytest.approx((l + v) / np.linalg.norm(l + v))
+    folder = small_lesson.write(tmp_path, ("uniform int samples;", "uniform int samples;\nuniform vec3 l;"))
+    (loaded,) = catalog.chapters(folder)
+    assert "light_direction(theta_l, phi)" in validate(loaded)[0]

@@ -480,3 +480,11 @@ def test_a_scale_keeps_still_and_shows_lobes_of_all_sizes():
 def test_a_pair_outside_the_plane_of_a_slice_is_told(plots):
     image = drawn(plots, SLICES[1], LIGHT_AND_EYE | {"phi": 2.0})
     assert near(image, rgb("#FF4FD8"), 2).sum() > 100, "the box of the notice"
+
+
+def test_long_names_of_models_are_written_smaller(plots):
+    long = Lobes("Long", (replace(MATT, label="a matt surface with a long name"),))
+    image = drawn(plots, long, LIGHT_AND_EYE, size=(345, 345), theme=PROJECTOR)
+    assert near(image, rgb(PROJECTOR.background), 0)[:, -3:].all()
+    row = near(image[-40:], rgb(PROJECTOR.foreground), 40).any(0)
+    assert np.flatnonzero(row).max() > 250, "the number at the end is there"
