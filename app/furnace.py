@@ -15,6 +15,7 @@ import numpy as np
 
 from app.hemisphere import NORMAL, around, halves
 from app.optics.spherical import direction
+from app.quadrature import gauss_legendre
 
 Reflect = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]  # f(n, l, v) in 1/sr, vectors (..., 3)
 POLES = ("mirror", "halfway", "eye")
@@ -26,9 +27,9 @@ SURE, GRAZING = 2e-4, 1.3  # an error small enough if the first look of the othe
 @cache
 def rule(along: int, around: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """s, t and weights of a product rule on the unit square, t first."""
-    x, w = np.polynomial.legendre.leggauss(along)
-    s, t = np.meshgrid((np.arange(around) + 0.5) / around, 0.5 * (x + 1))
-    return s.ravel(), t.ravel(), np.repeat(0.5 * w, around) / around
+    nodes, weights = gauss_legendre(along)
+    s, t = np.meshgrid((np.arange(around) + 0.5) / around, nodes)
+    return s.ravel(), t.ravel(), np.repeat(weights, around) / around
 
 
 def grid(pole: str, theta_v: np.ndarray, width, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

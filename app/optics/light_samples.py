@@ -2,9 +2,9 @@
 
 import numpy as np
 
-_RULES = [np.polynomial.legendre.leggauss(k) for k in (1, 2, 4, 8)]
-_RULE_AT = np.concatenate([(x + 1) / 2 for x, _ in _RULES])
-_RULE_WEIGHT = np.concatenate([w / 2 for _, w in _RULES])
+from app.quadrature import gauss_legendre
+
+_RULE_AT, _RULE_WEIGHT = (np.concatenate(parts) for parts in zip(*map(gauss_legendre, (1, 2, 4, 8)), strict=True))
 _GOLDEN, _STEP = np.uint32(2654435769), np.uint32(747796405)
 
 

@@ -5,7 +5,7 @@ from numpy import pi
 
 from app.optics.lambert import brdf_lambert
 from app.optics.phong import brdf_phong
-from app.optics.sky import _TURN, _W, _X, _Z, _ZW
+from app.optics.sky import _TURN, _U, _W, _Z, _ZW
 from app.optics.spherical import direction, direction_phi, direction_theta, view_direction
 
 _PAINT = np.array([0.62, 0.16, 0.10])
@@ -88,7 +88,7 @@ def paint_measured(theta_l, phi, theta_v, half_angle, channel, k_s, exponent):
     theta_l, phi, theta_v, half_angle, channel, k_s, exponent = (
         np.asarray(x)[..., None, None] for x in np.broadcast_arrays(
             theta_l, phi, theta_v, half_angle, channel, k_s, exponent))
-    x, w = 0.5 + 0.5 * _X[:, None], 0.5 * _W[:, None]
+    x, w = _U[:, None], _W[:, None]
     turn = (np.arange(32) + 0.5) * pi / 16
     l, a, b = direction(theta_l, phi), direction_theta(theta_l, phi), direction_phi(phi)
     q = (2 * np.sin(0.5 * half_angle) ** 2 * x)[..., None]
