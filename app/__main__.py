@@ -7,6 +7,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import NoReturn
 
+from app import VERSION
 from app.problem import Problem, Usage, near
 
 INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
@@ -117,9 +118,7 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
 def course(options: argparse.Namespace) -> int:
     """The window, or the same lessons as pictures where there is no display."""
     if getattr(options, "version", False):
-        from importlib.metadata import version
-
-        print(f"halfway {version('halfway')}")
+        print(f"halfway {VERSION}")
         return 0
     from app.theme import THEMES
 

@@ -6,7 +6,8 @@ L_o; only then can it fail to be linear, and all else is checked at radiance 1.
 
     non_negative  the smallest value of f anywhere below is not below 0
     reciprocal    f(l, v) = f(v, l): the largest relative difference, among pairs that reflect something
-    energy        int f n.l dw <= 1 for every v (Furnace's limits; 1/1000 more passes): the largest of these albedos
+    energy        int f n.l dw <= 1 for every v, and where f is not reciprocal int f n.v dw <= 1 for every l: the
+                  largest of these albedos (with the limits of app/furnace.py; 1/1000 more passes)
     finite        no NaN and no infinity, also at grazing angles, l = v, l = -v, and below the horizon: the largest |f|
     linear        L_o / L_i does not depend on L_i, from 1/1000 to 1000: the largest relative change. A tone curve or a
                   clamp fails. For one light this is all of linearity: f L_i is the only such formula; several lights
@@ -30,10 +31,10 @@ from app.terms import bound, evaluate
 NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
 SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=True))  # where there is little room
 ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
-                         "Does it send on at most what comes, for every angle of the eye?",
+                         "Does it send on at most what comes, for every angle?",
                          "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
-VIEWS = np.radians([0, 12, 24, 36, 48, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
+VIEWS = np.radians([0, 15, 30, 45, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
 RADIANCES = 1e-3, 0.03, 1.0, 30.0, 1e3
 EXTREMES = np.radians([0, 1e-7, 1e-3, 30, 89.9, 89.9999999, 90, 90.0000001, 120, 180])
@@ -44,7 +45,7 @@ AROUND = np.radians([0, 1e-6, 90, 179.9999, 180, -90])
 class Badge:
     ok: bool
     worst: float | None  # None: not a number, or infinite
-    at: dict[str, float]  # rad: theta_l, theta_v, phi, or theta_v alone
+    at: dict[str, float]  # rad: theta_l, theta_v, phi; of an albedo theta_v alone, or theta_l
 
 
 def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False, same: float = SAME
@@ -65,9 +66,9 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
     corner_l, corner_v = corners()
     corner = f(NORMAL, corner_l, corner_v)
     every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
-    return {"non_negative": non_negative(*every), "reciprocal": reciprocal(value, swapped, l, v, same),
-            "energy": energy(f), "finite": finite(*every),
-            "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
+    swap = reciprocal(value, swapped, l, v, same)
+    return {"non_negative": non_negative(*every), "reciprocal": swap, "energy": energy(f, swap.ok),
+            "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
@@ -122,18 +123,27 @@ def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndar
     return Badge(bool(weighed[i] <= same), worst, angles(l[i], v[i]))
 
 
-def energy(f: Callable) -> Badge:
+def energy(f: Callable, is_reciprocal: bool) -> Badge:
+    """The largest albedo over all angles of the eye; of the light too, where that is another and nothing was found."""
+    found = most(f, "theta_v")
+    if is_reciprocal or not found.ok:
+        return found
+    other = most(lambda n, l, v: f(n, v, l), "theta_l")
+    return found if other.ok else other
+
+
+def most(f: Callable, name: str) -> Badge:
     """The largest albedo over the angles of VIEWS, then over some more beside it."""
     values, errors = albedo(f, VIEWS)
     i = int(np.argmax(values - errors))
     near = VIEWS[max(i - 1, 0)], VIEWS[min(i + 1, len(VIEWS) - 1)]
-    theta = np.linspace(*near, 7)[1:-1] if 0 < i < len(VIEWS) - 1 else VIEWS[i:i + 1]
+    theta = np.linspace(*near, 5)[1:-1] if 0 < i < len(VIEWS) - 1 else VIEWS[i:i + 1]
     more, off = albedo(f, theta)
     theta, values, errors = np.append(VIEWS, theta), np.append(values, more), np.append(errors, off)
     order = np.argsort(theta)
     sure = (values - errors)[order]
-    i = order[int(np.argmax(sure >= sure.max() - 1e-3))]  # of equal ones the first
-    return Badge(bool(values[i] - errors[i] <= MOST), float(values[i]), {"theta_v": float(theta[i])})
+    i = order[int(np.argmax(sure >= sure.max() - 4e-4))]  # of equal ones the first
+    return Badge(bool(values[i] - errors[i] <= MOST), float(values[i]), {name: float(theta[i])})
 
 
 def finite(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:

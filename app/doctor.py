@@ -19,6 +19,7 @@ from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass, field
 from textwrap import shorten
 
+from app import VERSION
 from app.paths import ROOT
 from app.remedies import SYSTEMS, XWAYLAND, first, mend, system
 
@@ -150,7 +151,7 @@ def machine() -> str:
 
 
 def report(parts: dict[str, Part]) -> dict:
-    return {"halfway": version("halfway"), "system": machine(), "family": system(),
+    return {"halfway": VERSION, "system": machine(), "family": system(),
             "python": platform.python_version(), "packages": {name: version(name) for name in PACKAGES},
             "graphics": graphics(parts), "parts": [asdict(part) for part in parts.values()],
             "can_run": can_run(parts)}

@@ -2,32 +2,34 @@
 
 The integral over the hemisphere is a product rule (Gauss-Legendre along great circles, even steps around) on grids that
 are denser towards a pole: the mirror direction, the eye (light sent back), and, on halfway vectors, the normal. A first
-look through all three, down to 1e-5 rad, finds where the light is, and so how fine each grid must be at its pole; of
-those, the one counts that promises the most: its sum less the difference of its two resolutions, for a grid that is
-too coarse misses light. What it cannot find: a lobe narrower than about 3 degrees that
+look through all three, down to 1e-5 rad, finds where the light is, and so how fine each grid must be at its pole. If
+the first is not sure, the one counts that promises the most: its sum less the difference of its two resolutions, for a
+grid that is too coarse misses light. What it cannot find: a lobe narrower than about 3 degrees that
 stands elsewhere, one narrower than 1e-5 rad, and parts with less than a thousandth of the light.
 """
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
 from app.hemisphere import NORMAL, around, halves
 from app.optics.spherical import direction
+from app.quadrature import gauss_legendre
 
 Reflect = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]  # f(n, l, v) in 1/sr, vectors (..., 3)
 POLES = ("mirror", "halfway", "eye")
 FIRST, COARSE, FINE = (32, 16), (32, 48), (48, 64)  # nodes along and around
 NARROWEST, PART = 2e-5, 1e-3  # rad; the share of the light that lies within the width of a grid
+SURE, GRAZING = 2e-4, 1.3  # an error small enough if the first look of the other grid has not seen more; not beyond
 
 
 @cache
 def rule(along: int, around: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """s, t and weights of a product rule on the unit square, t first."""
-    x, w = np.polynomial.legendre.leggauss(along)
-    s, t = np.meshgrid((np.arange(around) + 0.5) / around, 0.5 * (x + 1))
-    return s.ravel(), t.ravel(), np.repeat(0.5 * w, around) / around
+    nodes, weights = gauss_legendre(along)
+    s, t = np.meshgrid((np.arange(around) + 0.5) / around, nodes)
+    return s.ravel(), t.ravel(), np.repeat(weights, around) / around
 
 
 def grid(pole: str, theta_v: np.ndarray, width, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -42,7 +44,7 @@ def grid(pole: str, theta_v: np.ndarray, width, size: tuple[int, int]) -> tuple[
     return v, l, weight * per_node
 
 
-@cache
+@lru_cache(16)
 def first_look(theta_v: tuple[float, ...]) -> dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """The grids of the first look: the same for every reflectance."""
     return {pole: grid(pole, np.array(theta_v), NARROWEST, FIRST) for pole in POLES}
@@ -66,17 +68,18 @@ def widths(light: np.ndarray) -> np.ndarray:
 def albedo(reflect: Reflect, theta_v) -> tuple[np.ndarray, np.ndarray]:
     """int f n.l dw over the hemisphere at each angle theta_v (angles,) of the eye, and an estimate of its error."""
     theta_v = np.atleast_1d(np.asarray(theta_v, float))
-    look = first_look(tuple(theta_v.tolist()))
-    width = {pole: widths(reflected(reflect, *look[pole])) for pole in POLES}
+    first = {pole: reflected(reflect, *nodes) for pole, nodes in first_look(tuple(theta_v.tolist())).items()}
+    width = {pole: widths(light) for pole, light in first.items()}
     value, error = np.zeros(len(theta_v)), np.full(len(theta_v), np.inf)
     back = width["eye"] < 0.3 * np.minimum(width["mirror"], width["halfway"])
-    for pole in POLES:
-        here = back if pole == "eye" else ~back
-        if not here.any():
+    for pole, here in (("eye", back), ("mirror", ~back), ("halfway", ~back)):
+        seen = first[pole].sum(-1)
+        at = np.flatnonzero(here & ((error > SURE) | (theta_v > GRAZING) | (seen > 1.15 * value + 0.01)))
+        if not at.size:
             continue
-        coarse, fine = (reflected(reflect, *grid(pole, theta_v[here], width[pole][here], size)).sum(-1)
+        coarse, fine = (reflected(reflect, *grid(pole, theta_v[at], width[pole][at], size)).sum(-1)
                         for size in (COARSE, FINE))
-        off, at = np.abs(fine - coarse), np.flatnonzero(here)
+        off = np.abs(fine - coarse)
         better = fine - off > value[at] - error[at]
         value[at[better]], error[at[better]] = fine[better], off[better]
     return value, error

@@ -72,7 +72,8 @@ class Model(Worded):
 class Surface:
     """A grid of cells that `vec3 surface_point(int surface, vec2 s)` places, or the step's mesh placed by
     `vec3 mesh_point(int surface, vec3 p)`; `vec3 shade(Surface s)` colours it. Its number is its place in the
-    scene."""
+    scene. What is dear and smooth, or the same all over, is computed at the corners only, and is s.value in shade:
+    `vec4 surface_value(int surface, vec2 s)` or `vec4 mesh_value(int surface, vec3 p, int face)`."""
 
     name: str
     cells: tuple[int, int] = (48, 24)
@@ -173,6 +174,7 @@ class Curve(Worded):
     term: Term
     role: Literal["exact", "estimate", "printed"] = "exact"
     precision: Literal["float64", "float32"] = "float64"
+    colour: str = ""  # its own, "#RRGGBB", where it is the colour of a thing; else the role's
 
 
 @dataclass(frozen=True)

@@ -169,6 +169,12 @@ TABLE: dict[str, Quantity] = {
     "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),
     "channel": Quantity("c", "", 0, 2, 0, "colour channel: red, green, blue", kind="int"),
     "wavelength_index": Quantity("j", "", 0, 11, 6, "which of twelve wavelengths", kind="int"),
+    # shapes of area lights
+    "light_shape": Quantity("k", "", 0, 3, 0, "which shape: panel, disk, sphere, polygon", kind="int"),
+    "to_light": Quantity("r", "m", -2.0, 2.0, (0.3, 0.2, 1.0), "from the point to the light's middle", kind="vec3"),
+    "reading": Quantity("k", "", 0, 2, 0, "how a program reads the spot: as meant, full angles, +l.d", kind="int"),
+    "given": Quantity("k", "", 0, 2, 0, "which number is given: flux, exitance, radiance", kind="int"),
+    "amount": Quantity("a", "", 0.1, 1000.0, 100.0, "the given one, in W, W/m² or W/(m² sr)", (1e-6, 1e9), "log"),
     # matter: n is +z, v = direction(theta_v, 0), l = direction(theta_l, phi); phi = 180 degrees is the mirror side
     "n": Quantity("n", "", -1.0, 1.0, (0.0, 0.0, 1.0), "unit normal of the surface", kind="vec3"),
     "l": Quantity("l", "", -1.0, 1.0, (-0.6, 0.0, 0.8), "unit vector to the light", kind="vec3"),
@@ -193,11 +199,14 @@ TABLE: dict[str, Quantity] = {
     "lobe_scale": Quantity("k", "", 0, 2, 0, "what a lobe shows: f, f times n.l, or log f", kind="int"),
     # Phong and Blinn
     "summand": Quantity("c", "", 2.0, 8.0, 8.0, "what a short cut for the normalisation adds to the exponent"),
+    "complaint": Quantity("k", "", 0, 4, 2, "which complaint about Blinn-Phong", kind="int"),
     # the reflectance equation
     "tile_rows": Quantity("N", "", 1, 24, 6, "rows of tiles from the pole to the horizon", (1, 32), "log", "int"),
     "to_sun": Quantity("s", "", -1.0, 1.0, (0.48, 0.6, 0.64), "unit vector to the sun", kind="vec3"),
     "sun_radiance": Quantity("L_s", "W/(m^2 sr)", 0.0, 60.0, 25.0, "radiance of the sun's middle"),
     "zenith_radiance": Quantity("L_0", "W/(m^2 sr)", 0.0, 10.0, 1.0, "radiance of the blue sky overhead"),
+    "flaw": Quantity("k", "", 0, 5, 0, "what is wrong with the BRDF", kind="int"),
+    "weight": Quantity("k", "", 0, 1, 1, "1: the integral has the cosine", kind="int"),
     "layer": Quantity("k", "", 0, 3, 3, "what the sky shows: L_i, f, the cosine, their product", kind="int"),
     # distributions of facets
     "slope2": Quantity(r"\tan^2 a", "", 0.0, 10.0, 0.1, "square of a facet's slope", extreme=(0.0, 1e18)),

@@ -6,7 +6,8 @@ reads the pictures. Starting it costs one to two seconds, a further shot of the 
 What it computes (its mesh.frag) is the metallic-roughness model of glTF, with a = roughness^2:
 f = (1 - F) 0.96 (1 - metallic) colour / pi + D G F / (4 nl nv + 0.001), D = GGX of width a, G = Schlick's with
 k = (roughness + 1)^2 / 8, F = Schlick's of v.h from F0 = 0.04 (1 - metallic) + metallic colour; nl and nv stay above
-0.001, so nothing is quite black; no shadows. A picture is the radiance to the power 1 / 2.2 in 8 bits.
+0.001, so nothing is quite black. It shades locally: no light from other surfaces, and shadows only of a spot light, by
+a shadow map, where a shot asks for them. A picture is the radiance to the power 1 / 2.2 in 8 bits.
 """
 
 import json
@@ -30,12 +31,15 @@ Vector = tuple[float, float, float]
 @dataclass(frozen=True)
 class Light:
     """Directional: irradiance `strength` on a surface that faces `at`, the direction TO the light. Point: radiant
-    intensity `strength` (W/sr) at the position `at`. `colour` (linear) multiplies it."""
+    intensity `strength` (W/sr) at the position `at`. Spot: the same within `half_angle` (rad) about the way from
+    `at` to `to`, and a hard edge. `colour` (linear) multiplies it."""
 
-    kind: Literal["directional", "point"] = "directional"
+    kind: Literal["directional", "point", "spot"] = "directional"
     at: Vector = (0.0, 0.0, 1.0)
     strength: float = float(np.pi)
     colour: Vector = (1.0, 1.0, 1.0)
+    to: Vector = (0.0, 0.0, 0.0)
+    half_angle: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -52,6 +56,7 @@ class Shot:
     size: tuple[int, int] = (512, 512)  # width, height
     background: Vector = (0.0, 0.0, 0.0)  # as on screen, 0 to 1
     two_sided: bool = True  # the inside of an open mesh is lit too, with its normal turned
+    shadows: bool = False  # of a spot light: pyrender has none for a point
 
 
 class Picture(NamedTuple):
@@ -71,7 +76,7 @@ def render(*shots: Shot, timeout: float = TIMEOUT) -> list[Picture]:
         corners, normals = surface(shot)
         job = {"count": len(corners), "pose": pose(shot.camera), "yfov": yfov(shot), "size": shot.size,
                "colour": shot.colour, "metallic": shot.metallic, "roughness": shot.roughness,
-               "background": shot.background, "light": asdict(shot.light)}
+               "background": shot.background, "light": asdict(shot.light), "shadows": shot.shadows}
         jobs.append(job)
         arrays += [corners.tobytes(), normals.tobytes()]
     expected = sum(7 * shot.size[0] * shot.size[1] for shot in shots)
@@ -149,25 +154,37 @@ def draw(job: dict[str, Any], corners: np.ndarray, normals: np.ndarray) -> bytes
         baseColorFactor=(*job["colour"], 1.0), metallicFactor=job["metallic"], roughnessFactor=job["roughness"])
     scene = pyrender.Scene(bg_color=(*background, 1.0), ambient_light=(0.0, 0.0, 0.0))
     scene.add(pyrender.Mesh([pyrender.Primitive(positions=corners, normals=normals, material=material)]))
-    place = np.eye(4)
+    strength = {"color": light["colour"], "intensity": light["strength"]}
+    at, place = np.asarray(light["at"], dtype=np.float64), np.eye(4)
     if light["kind"] == "point":
-        place[:3, 3] = light["at"]
-        lamp = pyrender.PointLight(color=light["colour"], intensity=light["strength"])
-    else:  # it shines along its -z
-        z = np.asarray(light["at"], dtype=np.float64) / np.linalg.norm(light["at"])
-        x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
-        x /= np.linalg.norm(x)
-        place[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
-        lamp = pyrender.DirectionalLight(color=light["colour"], intensity=light["strength"])
+        lamp = pyrender.PointLight(**strength)
+    elif light["kind"] == "spot":
+        place[:3, :3] = turned(at - light["to"])
+        edge = light["half_angle"]
+        lamp = pyrender.SpotLight(innerConeAngle=edge, outerConeAngle=edge + 1e-3, **strength)
+    else:
+        place[:3, :3] = turned(at)
+        lamp = pyrender.DirectionalLight(**strength)
+    if light["kind"] != "directional":
+        place[:3, 3] = at
     scene.add(lamp, pose=place)
     eye = pyrender.PerspectiveCamera(yfov=job["yfov"], znear=camera.NEAR, zfar=camera.FAR)
     scene.add(eye, pose=np.array(job["pose"]))
     renderer = pyrender.OffscreenRenderer(*job["size"])
     try:
-        rgb, depth = renderer.render(scene)
+        flags = pyrender.RenderFlags.SHADOWS_SPOT if job["shadows"] else pyrender.RenderFlags.NONE
+        rgb, depth = renderer.render(scene, flags=flags)
         return np.ascontiguousarray(rgb[..., :3]).tobytes() + depth.astype(np.float32).tobytes()
     finally:
         renderer.delete()
+
+
+def turned(back: np.ndarray) -> np.ndarray:
+    """The axes of a light that shines along its -z, as columns; `back` is where its z goes."""
+    z = back / np.linalg.norm(back)
+    x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
+    x /= np.linalg.norm(x)
+    return np.stack([x, np.cross(z, x), z], axis=1)
 
 
 def child() -> None:

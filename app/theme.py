@@ -30,12 +30,12 @@ THEMES = {
 
 
 def colour(name: str, theme: Theme) -> tuple[float, float, float]:
-    """The sRGB colour, 0 to 1, of a word of the grammar in a theme."""
+    """The sRGB colour, 0 to 1, of a word of the grammar (or of #RRGGBB) in a theme."""
     if name in ("exact", "foreground"):
         return rgb(theme.foreground)
     if name in ("quiet", "background", "panel", "g"):
         return rgb(getattr(theme, name))
-    base, front = rgb(GRAMMAR[name]), rgb(theme.foreground)
+    base, front = rgb(GRAMMAR.get(name, name)), rgb(theme.foreground)
     return tuple(b + (f - b) * theme.lift for b, f in zip(base, front, strict=True))  # type: ignore[return-value]
 
 

@@ -137,10 +137,20 @@ def _piece_terms(sky_piece, radiance, opening, theta):
     return radiance * np.select([piece == 1, piece == 2], [disk, window], 0.0)
 
 
-def _panel_terms(radiance, position, **panel):
-    around = ((0, 0), (1, 0), (1, 1), (0, 1))
-    corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in around]
-    return radiance * _contour_terms(np.stack(corners, -2), 4)
+def _panel_terms(corner_count, radiance, position, **panel):
+    count = np.asarray(corner_count)
+    at = [twin("outline_at")(count, np.minimum(i, count - 1)) for i in range(5)]
+    corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in (np.moveaxis(p, -1, 0) for p in at)]
+    return radiance * _contour_terms(np.stack(np.broadcast_arrays(*corners), -2), count)
+
+
+def _light_terms(light_shape, radiance, position, **panel):
+    shape, way = np.asarray(light_shape), -np.asarray(position, float)
+    way = way + np.stack([panel[k] for k in ("light_x", "light_y", "light_height")], -1)
+    aside = np.hypot(way[..., 0], way[..., 1])
+    sphere = _sphere_terms(0.5 * panel["panel_width"], np.hypot(aside, way[..., 2]), np.arctan2(aside, way[..., 2]))
+    flat = _panel_terms(np.where(shape == 3, 5, 4), radiance, position, **panel)
+    return np.choose(shape, [flat, np.zeros_like(flat), radiance * sphere, flat])
 
 
 def _spherical_rectangle_terms(**args):
@@ -160,6 +170,11 @@ def _f82_terms(l_dot_h, f0, f82):
     return schlick(l_dot_h, f0) + bend
 
 
+def _below_terms(given, amount, light_shape, light_height, panel_width, panel_depth, panel_tilt):
+    radiance = twin("light_radiance")(given, amount, light_shape, panel_width, panel_depth)
+    zero = np.zeros_like(light_height)
+    return _light_terms(light_shape, radiance, np.zeros(3), light_x=zero, light_y=zero, light_height=light_height,
+                        panel_width=panel_width, panel_depth=panel_depth, panel_tilt=panel_tilt)
 def _halfway_terms(n, l, v):
     """The lengths of l and v are rounded, then what is common to l and -v goes: n.l |v| + n.v |l| over |s|."""
     n, l, v = (np.asarray(x, float) for x in (n, l, v))
@@ -172,9 +187,9 @@ def _blinn_albedo_terms(theta_v, exponent):
     return twin("normalisation_blinn_phong")(exponent) * _blinn_flux(theta_v, exponent, 1)
 
 
-def _sky_terms(function):
+def _sky_terms(function, glow=64):
     """Directions are rounded on the way: the sun's glow, a power of 128 of half an angle's cosine, moves by 64 u."""
-    return lambda exponent, **args: twin(function)(exponent=exponent, **args) * (64 + exponent)
+    return lambda exponent, **args: np.abs(twin(function)(exponent=exponent, **args)) * (glow + exponent)
 
 
 def _ones(**args):
@@ -196,13 +211,28 @@ def _facet_terms(function, m, f0, **angles):
     return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
 
 
+def _intercept_terms(facet, lean_v):
+    """A quotient of two cosines, each of a rounded angle; near 90 degrees that costs much, and cancels in the value."""
+    apart = facet - lean_v
+    cost = np.abs(lean_v * np.tan(lean_v)) + np.abs(apart * np.tan(apart))
+    return np.abs(twin("groove_intercept_printed")(facet, lean_v)) * cost
+
+
+def _crease_terms(theta_l, theta_v, phi):
+    """The next of the three terms is the least plus the gap; both move with the cosines."""
+    share = {"theta_l": theta_l, "theta_v": theta_v, "phi": phi}
+    return twin("crease_gap")(**share) + 2 * twin("vgroove_at")(**share) + moved("vgroove_at", share)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "halfway_cosine": _halfway_terms,
     "lobe_flux_blinn": lambda theta_v, exponent: _blinn_flux(theta_v, exponent, 1),
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
-    "irradiance_panel": _panel_terms,
+    "irradiance_light": _light_terms,
+    "irradiance_outline": _panel_terms,
+    "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (
         radiance * _contour_terms(corners, corner_count)),
     "irradiance_sphere_light": lambda radiance, radius, distance, theta: (
@@ -231,6 +261,7 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
         / np.abs(twin("solid_angle_cone")(half_angle) * np.cos(theta))),
     "spherical_rectangle_point": _spherical_rectangle_terms,
     "strip_end": _strip_terms,
+    "hemisphere_meter": _sky_terms("hemisphere_meter", 0),
     **{name: _sky_terms(name) for name in ("reflected_radiance", "reflected_radiance_sum", "sun_share")},
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
@@ -240,9 +271,11 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
-    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
-    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith"), _ones),
     "facet_area": _facet_area_terms,
+    "groove_intercept_printed": _intercept_terms,
+    "crease_gap": _crease_terms,
+    # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product
+    **dict.fromkeys(("weak_furnace", "weak_furnace_rational", "albedo_smith", "albedo_geometry"), _ones),
     "winding_number": lambda triangles, eye: _mesh_terms(triangles, eye) / (4 * np.pi),
 }
 

@@ -20,7 +20,7 @@ def read(text: str, spec: ValueSpec, where: str) -> Number:
     """A number (or several, with commas) in screen units as the internal value; out of range is a Usage."""
     text = unquoted(text)
     words = [slug(choice) for choice in spec.choices]
-    if slug(text) in words:
+    if slug(text) in words and spec.low <= words.index(slug(text)) <= spec.high:
         return words.index(slug(text))
     parts, width = text.split(","), spec.quantity.width
     if len(parts) != width:
@@ -40,7 +40,8 @@ def one(text: str, spec: ValueSpec, where: str) -> float:
         value = number(text, where)
     except Usage:
         if spec.choices:
-            raise Usage(f"{where} takes one of {', '.join(spec.choices)}.{near(text, spec.choices)}") from None
+            offered = spec.choices[int(spec.low):int(spec.high) + 1]
+            raise Usage(f"{where} takes one of {', '.join(offered)}.{near(text, offered)}") from None
         raise
     if unit == "rad":
         return value

@@ -1,17 +1,20 @@
 """What is wrong with a lesson, in sentences with its file and line. For a chapter's author and for the tests."""
 
 import ast
+import re
 from collections.abc import Callable, Collection, Iterator
+from typing import get_args
 
 from app import prose, shader
 from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
-from app.lesson import Curves, Faces, Ledger, ModelPlot, Number, Scene
+from app.lesson import Colour, Curves, Faces, Ledger, ModelPlot, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
 from app.quantities import TABLE, entered
 from app.state import parse, parse_query
 from app.typed import checked
 
+COLOURS: tuple[str, ...] = get_args(Colour)
 PROSE = ("prose", "idea", "notes", "honesty")
 
 
@@ -85,6 +88,10 @@ def faults(found: LoadedStep) -> Faults:
             yield against, f"there is no readout {against!r} to compare with.{near(against, labels)}"
     if not step.plots:
         yield "plot=", "the step has no plot."
+    for word in [name for name, _ in step.scene.legend] + [curve.colour for plot in step.plots
+                                                           if isinstance(plot, Curves) for curve in plot.curves]:
+        if word and word not in COLOURS and not re.fullmatch("#[0-9A-Fa-f]{6}", word):
+            yield f'"{word}"', f"{word} is no colour; there are {', '.join(COLOURS)} and #RRGGBB.{near(word, COLOURS)}"
     for plot in step.plots:
         if isinstance(plot, Faces) and not any(surface.mesh for surface in step.scene.surfaces):
             yield "Faces(", "the plot shows a mesh, and the scene has none."

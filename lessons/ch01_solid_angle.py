@@ -711,10 +711,13 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(mix(middle(), rim.xy, s.y), HEIGHT);
 }
 
+vec4 surface_value(int surface, vec2 s) { // what the middle of the floor sees
+    return vec4(solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, 0.0, 0.0));
+}
+
 vec3 shade(Surface s) {
     if (s.id == 1) return soft_light(palette[COLOUR_L], s.normal, s.v);
-    float left = -abs(s.position.x);
-    float most = solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, 0.0, 0.0);
+    float left = -abs(s.position.x), most = s.value.x;
     float seen = s.id == 0
         ? solid_angle_outline(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y)
         : solid_angle_outline_naive(corner_a, corner_b, corner_c, corner_d, corner_e, corner_count, size, distance, left, s.position.y);
@@ -830,11 +833,15 @@ vec3 corner(int face, int c) {
     return texelFetch(triangles, ivec2(3 * (face % 256) + c, face / 256), 0).xyz - eye;
 }
 
+vec4 mesh_value(int surface, vec3 p, int face) {
+    return vec4(solid_angle_triangle_signed(corner(face, 0), corner(face, 1), corner(face, 2)));
+}
+
 vec3 shade(Surface s) {
     // what stands between the camera and the eye point is cut away
     vec3 to_camera = normalize(camera_position - eye);
     if (dot(s.position - eye, to_camera) > 0.12) discard;
-    float seen = solid_angle_triangle_signed(corner(s.face, 0), corner(s.face, 1), corner(s.face, 2));
+    float seen = s.value.x;
     float share = clamp(0.35 + 0.09 * log2(abs(seen) * 4000.0 + 1.0), 0.35, 1.0);
     vec3 tint = seen > 0.0 ? palette[COLOUR_L] : palette[COLOUR_N];
     return soft_light(mix(palette[COLOUR_QUIET], tint, share), s.normal, s.v);

@@ -433,17 +433,17 @@ vec3 dome_at(int k) {
     return vec3(k == 0 ? -1.2 : 1.2, 0.0, 0.0);
 }
 
-float lit(vec3 d) {
-    if (sky_piece == 0) return dot(d, vec3(0.0, 0.0, 1.0)) >= cos(opening) - 1e-5 ? 1.0 : 0.0;
-    vec3 centre = direction(theta, 0.0);
-    if (sky_piece == 1) return dot(d, centre) >= cos(opening) ? 1.0 : 0.0;
-    return meets_patch(d, theta, 0.0, 1.0, 0.0, 2.0 * sin(opening));
+vec3 piece(vec2 s) {
+    if (sky_piece == 2) return normalize(patch_point(theta, 0.0, 1.0, 0.0, 2.0 * sin(opening), s.x, s.y));
+    float to_pole = sky_piece == 0 ? 0.0 : theta;
+    vec3 d = cap_point(opening, s.x, s.y);
+    return d.x * direction_theta(to_pole, 0.0) + d.y * direction_phi(0.0) + d.z * direction(to_pole, 0.0);
 }
 
 vec3 surface_point(int surface, vec2 s) {
     int k = surface % 2;
     if (surface < 2) return dome_at(k) + cap_point(0.5 * PI, s.x, s.y);
-    if (surface > 5) return dome_at(k) + 0.995 * cap_point(0.5 * PI, s.x, s.y);
+    if (surface > 5) return dome_at(k) + 0.995 * piece(s);
     if (surface < 4) return dome_at(k) + vec3(s.y * cos(2.0 * PI * s.x), s.y * sin(2.0 * PI * s.x), 0.0);
     return dome_at(k) + vec3(0.24 * s - 0.12, 0.03);
 }
@@ -455,9 +455,10 @@ vec3 shade(Surface s) {
     if (s.id < 4) return mix(mix(background, palette[COLOUR_QUIET], 0.3), palette[COLOUR_QUIET], grid_lines(s.st, vec2(24.0, 6.0)) * 0.5);
     if (s.id < 6) return palette[COLOUR_N];
     vec3 d = normalize(off);
-    if (lit(d) < 0.5) discard;
+    if (d.z < 0.0) discard;
+    vec2 st = vec2(arctan2(d.y, d.x) / (2.0 * PI), arccos(d.z) / (0.5 * PI));
     float glow = (k == 0 ? 1.0 : max(0.0, d.z)) * (0.5 + 0.5 * clamp(log(radiance + 1.0) / 7.0, 0.0, 1.0));
-    return mix(mix(background, palette[COLOUR_QUIET], 0.12), palette[COLOUR_L], glow) * (1.0 - 0.25 * grid_lines(s.st, vec2(24.0, 6.0)));
+    return mix(mix(background, palette[COLOUR_QUIET], 0.12), palette[COLOUR_L], glow) * (1.0 - 0.25 * grid_lines(st, vec2(24.0, 6.0)));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -477,7 +478,7 @@ vec4 probe(int i) {
             Surface("dome left", cells=(48, 12), opacity=0.14), Surface("dome right", cells=(48, 12), opacity=0.14),
             Surface("floor left", cells=(48, 6)), Surface("floor right", cells=(48, 6)),
             Surface("patch left", cells=(1, 1)), Surface("patch right", cells=(1, 1)),
-            Surface("sky", cells=(48, 12)), Surface("sky with cosine", cells=(48, 12)),
+            Surface("sky", cells=(48, 16)), Surface("sky with cosine", cells=(48, 16)),
         ),
         marks=(
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("normal right", colour="n", tip="arrow"),
@@ -796,6 +797,13 @@ vec3 surface_point(int surface, vec2 s) {
     return BALL + BALL_RADIUS * sphere_point(s.x, s.y);
 }
 
+// What the wall sends to the floor: it changes slowly, and is dear.
+vec4 surface_value(int surface, vec2 s) {
+    if (surface > 0 || sees < 2) return vec4(0.0);
+    vec3 p = surface_point(0, s);
+    return vec4(irradiance_floor_bounced(max(p.x, 0.02), p.y, lamp_x, lamp_height, radiant_intensity, rho));
+}
+
 // A screen's white is 1: as bright as 6 W/m^2 on white paper.
 vec3 shade(Surface s) {
     vec3 p = s.position, lamp = vec3(lamp_x, 0.0, lamp_height);
@@ -805,7 +813,7 @@ vec3 shade(Surface s) {
         float direct = sees == 0 ? irradiance_floor_local(x, p.y, lamp_x, lamp_height, radiant_intensity)
                                  : irradiance_floor_shadowed(x, p.y, lamp_x, lamp_height, radiant_intensity);
         vec3 light = vec3(direct);
-        if (sees == 2) light += WALL / WALL.r * irradiance_floor_bounced(x, p.y, lamp_x, lamp_height, radiant_intensity, rho);
+        if (sees == 2) light += WALL / WALL.r * s.value.x;
         vec3 tiles = vec3(0.82) * (1.0 - 0.12 * grid_lines(s.st, vec2(10.0, 8.0)));
         return tiles * (1.0 - exp(-1.6 * light / white));
     }
@@ -833,7 +841,7 @@ vec4 probe(int i) {
     return vec4(0.02, 0.72, 1.86, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("ball", cells=(32, 16))),
+        surfaces=(Surface("floor", cells=(50, 40)), Surface("wall", cells=(1, 1)), Surface("ball", cells=(32, 16))),
         marks=(Mark("to the lamp", colour="l", line="dashed", width=0.9),
                Mark("from the wall", colour="r", line="dotted", tip="arrow"),
                Mark("to the wall", colour="r", line="dotted"), Mark("lamp", colour="l", tip="sun", width=2.0),
@@ -869,14 +877,16 @@ vec4 probe(int i) {
     ),
     notes="""
 Show "local" first and ask what is odd: most see the ball float before they miss the shadow. Then ask what colour a shadow
-has. Our second renderer, pyrender, is a shader too: it draws the first picture, and a test holds the two together. The
-other two were checked by following random rays. "Two times" is the usual guess for the white room. Why
+has. Our second renderer, pyrender, is a shader too: it draws the first picture, and with a spot light and its shadow map
+the second; tests compare both with ours, pixel by pixel. What the wall sends it cannot draw at all; that was checked by
+following random rays. "Two times" is the usual guess for the white room. Why
 then teach local shading? Because every other kind calls it at each bounce. 6 minutes.
 """,
     sources=("Deck, slide Local Shading Models", "Wallace, Elmquist & Haines 1989: a cell as a disk",
              "Ulbricht 1900: the integrating sphere, 1/(1 - ρ)"),
     honesty="Lamp and shadow are exact for a point lamp. The wall's light: one reflection, the wall as 100 disks, within 2 % "
-            "of the local value from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. Colours pass a film curve.",
+            "of the local value from 0.2 m on; the ball is black. 1/(1 - ρ) is exact in a sphere, a mean elsewhere. The second renderer has shadow maps for spot lights, none for points, and no "
+            "inter-reflection. Colours pass a film curve.",
     values=(Value("sees", 2, choices=("local", "with shadows", "with the wall's light")), Value("rho", 0.8),
             Value("from_wall", 0.75, low=0.2), Value("along_wall", 0.0, more=True), Value("lamp_x", 1.75), Value("lamp_height", 1.6, more=True),
             Value("radiant_intensity", 20.0, low=1.0, high=100.0, more=True)),

@@ -16,6 +16,8 @@ from app.lesson import (
     Figure,
     Handle,
     Label,
+    Ledger,
+    LedgerRow,
     Mark,
     Prediction,
     Readout,
@@ -535,8 +537,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    if (mark == 0) return polar(0.0, t);
-    if (mark == 1) return polar(0.5 * PI, t);
+    if (mark < 2) return polar(mark == 0 ? 0.0 : 0.5 * PI, t);
     if (mark == 2) return luminaire();
     if (mark == 3) return mix(luminaire(), meter(), t);
     if (mark == 4) return meter() + 0.65 * t * (meter_s > 0.0 ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0));
@@ -577,7 +578,7 @@ Try the [downlight](?luminaire=down), the [street light](?luminaire=street&heigh
             Surface("floor", cells=(1, 1)),
             Surface("wall", cells=(1, 1)),
             Surface("scale", cells=(1, 1)),
-            Surface("photometric solid", cells=(96, 64), opacity=0.5),
+            Surface("photometric solid", cells=(72, 48), opacity=0.5),
         ),
         marks=(
             Mark("plane C0", colour="l", segments=144, width=1.2),
@@ -703,14 +704,15 @@ $\cos\alpha = -\colour{l}{l}\cdot d$ ($l$ goes to the lamp, $d$ away from it):
 
 $$f = \operatorname{clamp}\Bigl(1-\frac{\cos H-\cos\alpha}{\cos H-\cos F},\,0,\,1\Bigr)$$
 
-The slide ends the falloff at a third angle, $\theta_L$, and does not clamp.
-[As printed](?edge=2&threshold=50): outside $F$ the spot takes light away. The dots are $\colour{printed}{\text{negative}}$
-irradiance.
+The slide prints three traps. It ends the falloff at a third angle, $\theta_L$, without a clamp: [as
+printed](?edge=2&threshold=50&reading=0) the spot takes light away outside $F$; the dots are
+$\colour{printed}{\text{negative}}$. It does not say *half*: with [full angles](?edge=0&hotspot=20&falloff=30&reading=1) in
+the formula the lamp makes 3.8 times its flux. And with its sign, [$+l\cdot d$](?edge=0&reading=2), nothing before the lamp
+is lit.
 
-[Linear](?edge=0) has a crease at both cones; [smoothstep](?edge=1) has none and, here, the same flux.
+[Linear](?edge=0&reading=0) has a crease at both cones; [smoothstep](?edge=1&reading=0) none and, here, the same flux.
 [H = F](?hotspot=30&falloff=30&edge=0) is a hard edge; [H > F](?hotspot=40&falloff=25&edge=0) too, at $F$. A
-[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones: a weaker middle, and light that
-strays.
+[measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones.
 """,
     scene=Scene(
         glsl="""
@@ -725,6 +727,7 @@ uniform float falloff;
 uniform float threshold;
 uniform float radiant_intensity;
 uniform int edge;
+uniform int reading;
 uniform float off_axis;
 
 const vec3 LAMP = vec3(0.0, -0.9, 1.8);
@@ -736,9 +739,11 @@ vec3 ray(float angle, float turn) {
     return cos(angle) * AXIS + sin(angle) * (cos(turn) * RIGHT + sin(turn) * OVER);
 }
 
+// Floor and wall come twice, for the formula and for the measured lamp; those not chosen have no size and cost nothing.
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
-    if (surface == 1) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
+    if (surface < 2 && edge == 3 || surface > 4 && edge != 3) return vec3(0.0);
+    if (surface == 0 || surface == 5) return vec3(4.0 * s - 2.0, 0.0);
+    if (surface == 1 || surface == 6) return vec3(4.0 * s.x - 2.0, 2.0, 1.7 * s.y);
     if (surface == 2) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
     return LAMP + 1.3 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
 }
@@ -747,14 +752,11 @@ vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 3) return palette[COLOUR_L];
     if (s.id == 4) return palette[COLOUR_QUIET];
-    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
+    vec3 n = s.id == 0 || s.id == 5 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
     vec3 d = -direction_to_light(s.position, LAMP);
-    float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS));
-    float share = edge == 0 ? spot_linear(angle, hotspot, falloff) : edge == 1 ? spot_smooth(angle, hotspot, falloff)
-        : spot_as_printed(angle, hotspot, falloff, threshold);
-    for (int i = edge == 3 ? 0 : 1; i < 1; i++) { // a loop: a software renderer computes both sides of an if
-        share = ies_as_spot(table, angle, hotspot, falloff);
-    }
+    float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS)), share = 0.0;
+    if (s.id > 4) share = ies_as_spot(table, angle, hotspot, falloff);
+    else share = spot_read(angle, hotspot, falloff, threshold, edge, reading);
     if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
     return decades(irradiance_at(s.position, n, LAMP, radiant_intensity * share, 0.01), -1.0, 2.0);
 }
@@ -778,7 +780,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1)),
-                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22)),
+                  Surface("hotspot", cells=(96, 1), opacity=0.4), Surface("falloff", cells=(96, 1), opacity=0.22),
+                  Surface("floor, measured lamp", cells=(2, 2)), Surface("wall, measured lamp", cells=(2, 2))),
         marks=(
             Mark("axis", colour="exact", tip="arrow", label="d"),
             Mark("hotspot rim", colour="l", segments=64, width=1.4, label="H", label_at=0.0),
@@ -800,14 +803,16 @@ vec4 probe(int i) {
             Curve("linear, clamped", Term("spot_linear")),
             Curve("smoothstep", Term("spot_smooth"), role="estimate"),
             Curve("as printed", Term("spot_as_printed"), role="printed"),
+            Curve("as read", Term("spot_read"), role="printed"),
             Curve("IES, same flux", Term("ies_as_spot"), role="estimate"),
         ),
         y_label="share of I",
     ),
     readouts=(
         Readout("flux", Term("spot_flux"), role="exact", unit="W"),
+        Readout("flux as read", Term("spot_read_flux"), role="printed", unit="W", against="flux"),
         Readout("share at α", Term("spot_linear"), role="exact", unit=""),
-        Readout("as printed at α", Term("spot_as_printed"), role="printed", unit="", against="share at α"),
+        Readout("as read at α", Term("spot_read"), role="printed", unit="", against="share at α"),
     ),
     ask=Prediction(
         question="Hotspot 20°, falloff 30°, 100 W/sr: 61 W. A program reads the angles as full ones. What flux does it make?",
@@ -815,12 +820,13 @@ vec4 probe(int i) {
         unit="W",
         low=0.0,
         high=122.0,
-        sets={"hotspot": 20.0, "falloff": 30.0, "edge": 0},
+        sets={"hotspot": 20.0, "falloff": 30.0, "edge": 0, "reading": 0},
         told="15.5 W: a quarter. A cone grows with the square of its angle; file formats differ in which half they mean.",
     ),
     notes="""
 Let the class read the slide's formula and find the undefined angle. Then switch to it: the ring of dots takes light away
-from other lamps. Then the sign: with +l.d in place of -l.d nothing is lit at all. Drag falloff onto hotspot: 0/0 on the
+from other lamps. Then full angles: 61 W become 231. Then the sign: l goes to the lamp and d away from it, so +l.d lights
+what is behind the lamp, and nothing here. Drag falloff onto hotspot: 0/0 on the
 slide, a hard edge here. The flux is closed: 2 pi I (sin²(H/2) + sin²(F/2)). Last, the downlight: the same watts, half the middle; ask
 where the rest went. 6 minutes.
 """,
@@ -829,13 +835,14 @@ where the rest went. 6 minutes.
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
             Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES")),
-            Value("threshold", 50.0, low=2.0, high=80.0), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
+            Value("reading", 0, choices=("as meant", "full angles", "plus l·d")),
+            Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
 )
 
-PANEL_GLSL = """
-uniform float radiance;
+LIGHT_GLSL = """
+uniform int light_shape;
 uniform float light_x;
 uniform float light_y;
 uniform float light_height;
@@ -843,29 +850,168 @@ uniform float panel_width;
 uniform float panel_depth;
 uniform float panel_tilt;
 
-vec3 panel(vec2 s) {
-    return panel_point(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.x, s.y);
+vec3 middle() {
+    return vec3(light_x, light_y, light_height);
 }
 
-vec3 face() {
-    return vec3(0.0, sin(panel_tilt), -cos(panel_tilt));
+float tilt() {
+    return light_shape == 1 ? 0.0 : panel_tilt;
 }
 
-float exact(vec3 p) {
-    return irradiance_panel(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, p);
+// Around the light with s.x; from its middle to its rim, of a sphere from pole to pole, with s.y.
+vec3 lamp_point(vec2 s) {
+    if (light_shape == 2) return middle() + 0.5 * panel_width * sphere_point(s.x, s.y);
+    int corners = light_shape == 0 ? 4 : 5, i = int(floor(float(corners) * s.x * 0.99999));
+    vec2 rim = mix(outline_at(corners, i), outline_at(corners, i + 1), float(corners) * s.x - float(i)) - 0.5;
+    if (light_shape == 1) rim = 0.5 * vec2(cos(6.2831853 * s.x), sin(6.2831853 * s.x));
+    rim = s.y * rim + 0.5;
+    return panel_point(light_x, light_y, light_height, panel_width, light_shape == 1 ? panel_width : panel_depth, tilt(), rim.x, rim.y);
+}
+
+vec3 rim_point(float t) {
+    return lamp_point(vec2(t, light_shape == 2 ? 0.5 : 1.0));
 }
 
 vec3 lamp_colour(Surface s) {
-    return dot(s.v, face()) > 0.0 ? mix(palette[COLOUR_L], vec3(1.0), 0.55) : palette[COLOUR_QUIET] * 0.6;
-}
-
-vec3 edge(int i, float t) {
-    vec2 a = vec2(i == 1 || i == 2 ? 1.0 : 0.0, i >= 2 ? 1.0 : 0.0), b = vec2(i < 2 ? 1.0 : 0.0, i == 1 || i == 2 ? 1.0 : 0.0);
-    return panel(mix(a, b, t));
+    if (light_shape == 2) return mix(palette[COLOUR_L], vec3(1.0), 0.2 + 0.5 * max(dot(s.v, s.normal), 0.0));
+    return dot(s.v, vec3(0.0, sin(tilt()), -cos(tilt()))) > 0.0 ? mix(palette[COLOUR_L], vec3(1.0), 0.55) : palette[COLOUR_QUIET] * 0.6;
 }
 """
-EDGES = tuple(Mark(f"edge {i}", colour="l", width=1.2) for i in range(4))
+SAMPLES_GLSL = LIGHT_GLSL + """
+uniform float radiance;
+uniform int sampling;
+uniform int level;
+uniform int seed;
+uniform vec3 position;
+
+float exact(vec3 p) {
+    return irradiance_light(light_shape, radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, p);
+}
+
+float sampled(vec3 p, int own) {
+    return irradiance_light_sampled(light_shape, radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, p, sampling, level, own);
+}
+
+vec4 piece(int i) {
+    return light_piece(light_shape, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position, sampling, level, seed, i);
+}
+
+vec3 dot_point(int i) {
+    vec3 way = piece(i).xyz;
+    return position + way * max(1.0 - 0.008 / length(way), 0.0); // a little before the light
+}
+
+vec4 dot_colour(int i) {
+    return vec4(piece(i).w > 0.0 ? palette[COLOUR_R] : palette[COLOUR_QUIET], i < (1 << (2 * level)) ? 1.0 : 0.0);
+}
+"""
+SHAPES = ("panel", "disk", "sphere", "polygon")
+RIM = Mark("rim", colour="l", segments=60, width=1.2)
 AT_POINT = {"position": (0.0, 0.0, 0.0)}
+
+AREA_UNITS = Step(
+    name="area_units",
+    title="One light, three numbers",
+    idea="An area light's flux, exitance and radiance follow from each other by its area and by π.",
+    slides=("Area Lights",),
+    prose=r"""
+A data sheet gives a lamp's **flux** $\Phi$. What leaves each square metre is its **exitance** $M$. A renderer wants the
+**radiance** $\colour{l}{L}$. For a light that looks alike from every side they are one number:
+
+$$\Phi = M A, \qquad M = \pi L$$
+
+$\pi$ is the cosine's doing, as in chapter 2. $A$ is what radiates: one side of a flat light, all around a sphere.
+
+Which of the three is given decides what a resize means. Give the flux: [wide](?given=0&amount=60&panel_width=1.6) or
+[small](?given=0&amount=60&panel_width=0.3), the far floor hardly notices, but the small one dazzles. Give the radiance:
+[wide](?given=2&amount=20&panel_width=1.6) or [small](?given=2&amount=20&panel_width=0.3), it looks the same and its floor goes
+dark. A [sphere](?light_shape=2) shares its flux among four times a disk's area.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/light_shape.glsl"
+#include "optics/spherical.glsl"
+#include "display/scale.glsl"
+uniform int given;
+uniform float amount;
+""" + LIGHT_GLSL + """
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
+    if (surface == 1) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
+    return lamp_point(s);
+}
+
+float radiance() {
+    return light_radiance(given, amount, light_shape, panel_width, panel_depth);
+}
+
+vec3 shade(Surface s) {
+    if (s.id == 1) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
+    if (s.id == 2) {
+        float glow = clamp(0.3 * log(max(radiance(), 1e-3)) / log(10.0), 0.0, 1.0);
+        return lamp_colour(s) * mix(0.25, 1.0, min(2.0 * glow, 1.0)) + vec3(max(glow - 0.5, 0.0));
+    }
+    return decades(irradiance_light(light_shape, radiance(), light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position), -1.0, 2.0);
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return rim_point(t);
+    return vec3(middle().xy, middle().z * (1.0 - t));
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(middle(), 1.0);
+    if (i == 1) return vec4(middle() + vec3(0.5 * panel_width, 0.0, 0.0), 1.0);
+    return vec4(i == 2 ? -1.6 : i == 3 ? -0.5333 : i == 4 ? 0.5333 : 1.5, -2.6, 0.0, 1.0);
+}
+""",
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
+        marks=(RIM, Mark("plumb line", colour="quiet", line="dotted", tip="dot", width=0.8)),
+        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
+        handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
+        camera=Camera(azimuth=-80, elevation=30, distance=8.9, target=(0.0, -0.3, 0.25)),
+    ),
+    plot=Ledger(
+        title="Give one, get the others",
+        columns=((
+            LedgerRow("flux Φ", Term("light_flux"), "W"),
+            LedgerRow("exitance M", Term("light_exitance"), "W/m^2", "1/m^2", "its area"),
+            LedgerRow("radiance L", Term("light_radiance"), "W/(m^2 sr)", "1/sr", "π, by the cosine"),
+            LedgerRow("irradiance E below", Term("light_irradiance_below"), "W/m^2", "sr", "its projected solid angle"),
+        ),),
+    ),
+    readouts=(
+        Readout("flux", Term("light_flux"), unit="W"),
+        Readout("exitance", Term("light_exitance"), unit="W/m²"),
+        Readout("radiance", Term("light_radiance"), unit="W/(m² sr)"),
+        Readout("floor below", Term("light_irradiance_below"), role="exact", unit="W/m²"),
+    ),
+    ask=Prediction(
+        question="A panel of half a square metre radiates 50 W. What is its radiance?",
+        truth=Term("light_radiance", {"given": 0, "amount": 50.0, "light_shape": 0, "panel_width": 1.0, "panel_depth": 0.5}),
+        unit="W/(m² sr)",
+        low=1.0,
+        high=300.0,
+        scale="log",
+        sets={"given": 0, "amount": 50.0, "light_shape": 0, "panel_width": 1.0, "panel_depth": 0.5},
+        told="31.8: each square metre sends out 100 W, and π times the radiance is what leaves it.",
+    ),
+    notes="""
+Ask what a slider called "brightness" in a modeller should mean when the lamp is scaled; the class will split, and both
+halves are right. Show it: given flux, then given radiance. Common wrong answers: 100, which is the exitance, and 15.9, half:
+the hemisphere has 2π sr, but its cosine-weighted sum is π. Last, the sphere: four times a disk's area, and it lights in all
+directions. 4 minutes.
+""",
+    sources=("Deck, slides Area Lights and Basic Radiometric Quantities (3)", "optics reference 2.3 and 5"),
+    honesty="Exact for lights that look alike from everywhere (Lambert); real panels often do not. The lamp's colour only hints at "
+            "its radiance. The disk always looks down.",
+    values=(Value("given", 0, choices=("flux", "exitance", "radiance")), Value("amount", 60.0, low=1.0),
+            Value("light_shape", 0, choices=SHAPES), Value("panel_width", 1.0, low=0.1, high=2.0),
+            Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
+            Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
+            Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
+    minutes=4,
+)
 
 AREA_SAMPLED = Step(
     name="area_sampled",
@@ -873,34 +1019,34 @@ AREA_SAMPLED = Step(
     idea="Cut the light into punctual pieces, give each its share with both cosines, and change the cut at every pixel.",
     slides=("Area Lights", "Light Contribution of Area Lights (1)", "Light Contribution of Area Lights (2)"),
     prose=r"""
-There are no punctual lights. A panel of radiance $L$ and area $A$ becomes $N$ points $\colour{l}{y_i}$, each a small lamp:
+There are no punctual lights. A light of radiance $L$ becomes $N$ points $\colour{l}{y_i}$, each a small lamp with a
+piece of the area $A$:
 
 $$E \approx \frac{A}{N}\sum_i L\,\frac{\cos\theta_i\,\cos\theta'_i}{r_i^2}$$
 
-$\theta_i$ at the floor, $\theta'_i$ at the panel: a flat piece of light shines less sideways. That second cosine is often
-forgotten.
+$\theta_i$ at the floor, $\theta'_i$ at the light, which shines less sideways: that second cosine is often forgotten.
+[Panel](?light_shape=0), [disk](?light_shape=1), [sphere](?light_shape=2), [polygon](?light_shape=3): only the places of
+the points differ. Of a sphere they share the cap that $x$ sees.
 
 Left: the floor as sampled. Right: its error. [One sample](?level=0&sampling=0), [four](?level=1&sampling=2),
-[sixty-four](?level=3&sampling=2). With [the same samples everywhere](?pattern=1&sampling=2&level=1) the floor shows
-patterns; new ones at each pixel make noise, which the eye forgives. [Random](?sampling=1&level=2&pattern=0) clumps;
-[stratified](?sampling=2&level=2&pattern=0) and [Sobol](?sampling=3&level=2&pattern=0) points keep apart.
+[sixty-four](?level=3&sampling=2). The [same samples everywhere](?pattern=1&sampling=2&level=1) make patterns; new ones
+at each pixel make noise, which the eye forgives. [Random](?sampling=1&level=2&pattern=0) points clump;
+[Sobol](?sampling=3&level=2&pattern=0) points keep apart.
 """,
     scene=Scene(
         glsl="""
-#include "optics/panel_samples.glsl"
+#include "optics/shape_samples.glsl"
+#include "optics/spherical.glsl"
 #include "display/scale.glsl"
-uniform int sampling;
-uniform int level;
-uniform int seed;
+""" + SAMPLES_GLSL + """
 uniform int pattern;
-uniform vec3 position;
-""" + PANEL_GLSL + """
+
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vec3(2.0 * s.x - 2.0, 4.0 * s.y - 2.0, 0.0);
     if (surface == 1) return vec3(2.0 * s.x, 4.0 * s.y - 2.0, 0.0);
     if (surface == 2) return vec3(1.8 * s.x - 1.95, -2.36 + 0.16 * s.y, 0.0);
     if (surface == 3) return vec3(1.8 * s.x + 0.15, -2.36 + 0.16 * s.y, 0.0);
-    return panel(s);
+    return lamp_point(s);
 }
 
 vec3 shade(Surface s) {
@@ -908,30 +1054,21 @@ vec3 shade(Surface s) {
     if (s.id == 3) return diverging(2.0 * s.st.x - 1.0);
     if (s.id == 4) return lamp_colour(s);
     int own = pattern == 0 ? int(gl_FragCoord.x) + 8192 * int(gl_FragCoord.y) : seed;
-    float found = irradiance_panel_sampled(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position, sampling, level, own);
+    float found = sampled(s.position, own);
     if (s.id == 0) return decade_colour(found, -1.5, 1.5);
     float right = exact(s.position);
     return diverging(right > 0.0 ? 2.0 * (found - right) / right : 0.0);
 }
 
-vec3 dot_point(int i) {
-    return panel_sample(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position, sampling, level, seed, i) + 0.006 * face();
-}
-
-vec4 dot_colour(int i) {
-    return vec4(palette[COLOUR_R], i < (1 << (2 * level)) ? 1.0 : 0.0);
-}
-
 vec3 mark_point(int mark, float t) {
-    if (mark < 4) return edge(mark, t);
-    if (mark == 4) return position + vec3(0.0, 0.0, 0.5 * t);
-    vec3 to = panel_sample(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position, sampling, level, seed, (mark - 5) % (1 << (2 * level)));
-    return mix(position, to, t);
+    if (mark == 0) return rim_point(t);
+    if (mark == 1) return position + vec3(0.0, 0.0, 0.5 * t);
+    return position + t * piece((mark - 2) % (1 << (2 * level))).xyz;
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(light_x, light_y, light_height, 1.0);
-    if (i == 1) return vec4(panel(vec2(0.5, 1.0)), 1.0);
+    if (i == 0) return vec4(middle(), 1.0);
+    if (i == 1) return vec4(panel_point(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, 0.5, 1.0), 1.0);
     if (i == 2) return vec4(-1.86, -2.62, 0.0, 1.0);
     if (i == 3) return vec4(-0.5, -2.62, 0.0, 1.0);
     if (i == 4) return vec4(0.28, -2.62, 0.0, 1.0);
@@ -941,12 +1078,12 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("floor, sampled", cells=(2, 2)), Surface("floor, error", cells=(2, 2)),
-                  Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
-        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
+                  Surface("scale", cells=(2, 1)), Surface("error scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
+        marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
         dots=Dots(256, size=0.9),
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
-        handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
+        handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
         camera=Camera(azimuth=-84, elevation=38, distance=9.6, target=(0.0, -0.4, 0.0)),
     ),
@@ -954,9 +1091,9 @@ vec4 probe(int i) {
         title="Error at x against samples",
         sweep="level",
         curves=(
-            Curve("exact", Term("irradiance_panel")),
-            Curve("these samples", Term("irradiance_panel_sampled"), role="estimate", precision="float32"),
-            Curve("without cos θ′", Term("irradiance_panel_without_cosine"), role="printed", precision="float32"),
+            Curve("exact", Term("irradiance_light")),
+            Curve("these samples", Term("irradiance_light_sampled"), role="estimate", precision="float32"),
+            Curve("without cos θ′", Term("irradiance_light_without_cosine"), role="printed", precision="float32"),
         ),
         y_label="relative error",
         y_scale="log",
@@ -964,40 +1101,45 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("flux of a sample", Term("sample_flux"), unit="W"),
-        Readout("exact at x", Term("irradiance_panel"), role="exact", unit="W/m²"),
-        Readout("these samples", Term("irradiance_panel_sampled"), role="estimate", unit="W/m²", against="exact at x"),
-        Readout("without cos θ′", Term("irradiance_panel_without_cosine"), role="printed", unit="W/m²",
+        Readout("exact at x", Term("irradiance_light"), role="exact", unit="W/m²"),
+        Readout("these samples", Term("irradiance_light_sampled"), role="estimate", unit="W/m²", against="exact at x"),
+        Readout("without cos θ′", Term("irradiance_light_without_cosine"), role="printed", unit="W/m²",
                 against="exact at x"),
     ),
     ask=Prediction(
         question="A panel of 2 m by 2 m hangs half a metre over the floor, which gets 26 W/m² in the middle. One sample in "
                  "the panel's centre says?",
-        truth=Term("irradiance_panel_centre", {
-            "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0, "panel_depth": 2.0,
-            "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}),
+        truth=Term("irradiance_light_sampled", {
+            "light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
+            "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0), "sampling": 0, "level": 0, "seed": 0}),
         unit="W/m²",
         low=0.0,
         high=250.0,
-        sets={"level": 0, "sampling": 0},
+        sets={"light_shape": 0, "level": 0, "sampling": 0},
         told="160, six times too much: it puts the whole panel at the nearest place. Five times the panel's size away it is right.",
     ),
     notes="""
 Begin with one sample: a hard bright spot near the panel. Four and sixty-four: ask how much better before you press. Random
 samples halve the error for four times the work, stratified ones quarter it. Then "the same everywhere": the banding is
-the slide's "to avoid patterns". Forget the emitter's cosine: 26 becomes 37 W/m² below the panel of the question. 7 minutes.
+the slide's "to avoid patterns". Forget the emitter's cosine: 26 becomes 37 W/m² below the panel of the question. Then the sphere: ask why its far side
+gets no samples. 7 minutes.
 """,
     sources=("Deck, slides Area Lights, Light Contribution of Area Lights (1) and (2)", "Cook, Porter, Carpenter 1984",
-             "Kollig and Keller 2002: (0,2)-sequence", "Jarzynski and Olano 2020: pcg hash", "optics reference 5 and D15"),
-    honesty="The estimate converges to the exact value; no shadows. Error colours grow with the root of the error, full at 50 %.",
-    values=(Value("sampling", 2, low=0, high=3, choices=("grid", "random", "stratified", "Sobol")), Value("level", 1, high=4),
+             "Kollig and Keller 2002: (0,2)-sequence", "Jarzynski and Olano 2020: pcg hash",
+             "Shirley and Chiu 1997: disk", "optics reference 5 and D15"),
+    honesty="The estimate converges to the exact value; no shadows. The disk always looks down. Error colours grow with the root of "
+            "the error, full at 50 %.",
+    values=(Value("light_shape", 0, choices=SHAPES), Value("sampling", 2, low=0, high=3, choices=("grid", "random", "stratified", "Sobol")), Value("level", 1, high=4),
             Value("pattern", 0, choices=("new at every pixel", "the same everywhere")),
-            Value("panel_tilt", -58.0), Value("light_height", 0.75, low=0.1, high=2.0, more=True),
+            Value("panel_tilt", -58.0, more=True), Value("light_height", 0.75, low=0.1, high=2.0, more=True),
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
             Value("panel_width", 1.8, low=0.1, more=True), Value("panel_depth", 0.9, low=0.1, high=2.0, more=True),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True),
             Value("position", (0.0, -0.5, 0.0), low=-1.5, high=1.5, more=True), Value("seed", 3, more=True)),
     minutes=7,
 )
+
+BELOW = {"light_x": 0.0, "light_y": 0.0, "panel_depth": "panel_width", **AT_POINT}
 
 AREA_EXACT = Step(
     name="area_exact",
@@ -1009,96 +1151,98 @@ For a diffuse floor no sample is needed. A light of one radiance gives
 
 $$E = L\,\Omega_\perp$$
 
-its radiance times its projected solid angle, chapter 1's shadow of the shadow. A $\colour{l}{\text{panel}}$ has it by a sum
-over its edges (Lambert 1760), a disk and a sphere by formulas of their own. The three bays show them, with one radiance.
+its radiance times its projected solid angle, chapter 1's shadow of the shadow. $\colour{l}{\text{Panel}}$ and polygon have
+it by a sum over their edges (Lambert 1760), a disk and a sphere by formulas of their own. The four bays show them, with one
+radiance. The numbers are for the underlined one: [panel](?light_shape=0), [disk](?light_shape=1),
+[sphere](?light_shape=2), [polygon](?light_shape=3).
 
 What is below the horizon must be cut off *first*. Lower the lamps [into the floor](?light_height=0.12): each is cut, none
-breaks. Tilt the panel [upright](?panel_tilt=-85) and it lights one side only.
+breaks. Tilt them [upright](?panel_tilt=-85) and they light one side only.
 
-[Far away](?light_height=3&radius=0.15&panel_width=0.27) all three are points: then only area and cosines count.
+[Far away](?light_height=3&panel_width=0.27) all are points: then only area and cosines count.
 """,
     scene=Scene(
         glsl="""
-#include "optics/area_light.glsl"
+#include "optics/light_shape.glsl"
 #include "optics/spherical.glsl"
 #include "display/look.glsl"
 #include "display/scale.glsl"
+uniform int light_shape;
 uniform float radiance;
 uniform float light_height;
 uniform float panel_width;
 uniform float panel_tilt;
-uniform float radius;
 
-const float BAY = 1.55; // from middle to middle
+const float BAY = 1.22; // from middle to middle
 
 float bay(int i) {
-    return BAY * (float(i) - 1.0);
+    return BAY * (float(i) - 1.5);
+}
+
+vec3 flat_point(int shape, vec2 s) {
+    int corners = shape == 0 ? 4 : 5, i = int(floor(float(corners) * s.x * 0.99999));
+    vec2 rim = mix(outline_at(corners, i), outline_at(corners, i + 1), float(corners) * s.x - float(i)) - 0.5;
+    if (shape == 1) rim = 0.5 * vec2(cos(6.2831853 * s.x), sin(6.2831853 * s.x));
+    return panel_point(bay(shape), 0.0, light_height, panel_width, panel_width, shape == 1 ? 0.0 : panel_tilt, s.y * rim.x + 0.5, s.y * rim.y + 0.5);
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface < 3) return vec3(bay(surface) + 1.45 * (s.x - 0.5), 3.2 * s.y - 1.6, 0.0);
-    if (surface == 3) return panel_point(bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, s.x, s.y);
-    if (surface == 4) return vec3(bay(1) + radius * s.y * cos(6.2831853 * s.x), radius * s.y * sin(6.2831853 * s.x), light_height);
-    if (surface == 5) return vec3(bay(2), 0.0, light_height) + radius * sphere_point(s.x, s.y);
-    return vec3(3.2 * s.x - 1.6, -2.3 + 0.16 * s.y, 0.0);
+    if (surface == 0) return vec3(2.0 * BAY * (2.0 * s.x - 1.0), 3.2 * s.y - 1.6, 0.0);
+    if (surface == 1) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
+    if (surface == 4) return vec3(bay(2), 0.0, light_height) + 0.5 * panel_width * sphere_point(s.x, s.y);
+    return flat_point(surface - 2, s);
 }
 
 vec3 shade(Surface s) {
-    if (s.id == 6) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
-    if (s.id >= 3) return soft_light(mix(palette[COLOUR_L], vec3(1.0), 0.5), s.normal, s.v);
-    vec2 away = vec2(s.position.x - bay(s.id), s.position.y);
-    float found = 0.0;
-    if (s.id == 0) found = irradiance_panel(radiance, bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, s.position);
-    if (s.id == 1) found = irradiance_disk_light(radiance, radius, light_height, length(away));
-    if (s.id == 2) found = irradiance_sphere_light(radiance, radius, length(vec3(away, light_height)), arctan2(length(away), light_height));
-    return decades(found, -1.0, 2.0);
+    if (s.id == 1) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
+    if (s.id >= 2) return soft_light(mix(palette[COLOUR_L], vec3(1.0), 0.5), s.normal, s.v);
+    int k = clamp(int(floor(s.position.x / BAY + 2.0)), 0, 3);
+    float found = irradiance_light(k, radiance, bay(k), 0.0, light_height, panel_width, panel_width, panel_tilt, s.position);
+    float wall = (0.5 * BAY - abs(s.position.x - bay(k))) / max(fwidth(s.position.x), 1e-6);
+    return mix(background, decades(found, -1.0, 2.0), smoothstep(1.0, 2.0, wall));
 }
 
 vec3 mark_point(int mark, float t) {
-    return vec3(bay(mark), 0.0, light_height * (1.0 - t));
+    if (mark < 4) return vec3(bay(mark), 0.0, light_height * (1.0 - t));
+    return vec3(bay(light_shape) + 0.9 * BAY * (t - 0.5), -1.72, 0.0);
 }
 
 vec4 probe(int i) {
-    if (i < 3) return vec4(bay(i), -1.85, 0.0, 1.0);
-    if (i == 3) return vec4(bay(1), 0.0, light_height, 1.0);
-    if (i == 4) return vec4(bay(2) + radius, 0.0, light_height, 1.0);
-    if (i == 5) return vec4(panel_point(bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, 0.5, 0.0), 1.0);
-    return vec4(i == 6 ? -1.55 : i == 7 ? -0.5333 : i == 8 ? 0.5333 : 1.45, -2.55, 0.0, 1.0);
+    if (i < 4) return vec4(bay(i), -1.95, 0.0, 1.0);
+    if (i == 4) return vec4(bay(1), 0.0, light_height, 1.0);
+    if (i == 5) return vec4(bay(2) + 0.5 * panel_width, 0.0, light_height, 1.0);
+    if (i == 6) return vec4(panel_point(bay(0), 0.0, light_height, panel_width, panel_width, panel_tilt, 0.5, 0.0), 1.0);
+    return vec4(i == 7 ? -1.55 : i == 8 ? -0.5333 : i == 9 ? 0.5333 : 1.45, -2.6, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor: panel", cells=(2, 2)), Surface("floor: disk", cells=(2, 2)),
-                  Surface("floor: sphere", cells=(2, 2)), Surface("panel", cells=(2, 2), opacity=0.85),
-                  Surface("disk", cells=(64, 1), opacity=0.85), Surface("sphere", cells=(32, 16), opacity=0.85),
-                  Surface("scale", cells=(2, 1))),
-        marks=tuple(Mark(f"plumb line {name}", colour="quiet", line="dotted", tip="dot", width=0.8)
-                    for name in ("panel", "disk", "sphere")),
-        labels=(Label("panel", 0, "l"), Label("disk", 1, "l"), Label("sphere", 2, "l"),
-                Label("0.1", 6), Label("1", 7), Label("10", 8), Label("100 W/m²", 9)),
-        handles=(Handle("the height", 3, ("light_height",)), Handle("the radius", 4, ("radius",)),
-                 Handle("the panel's edge", 5, ("panel_tilt",))),
-        camera=Camera(azimuth=-80, elevation=34, distance=9.4, target=(0.0, -0.3, 0.1)),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)),
+                  Surface("panel", cells=(4, 1), opacity=0.85), Surface("disk", cells=(64, 1), opacity=0.85),
+                  Surface("sphere", cells=(32, 16), opacity=0.85), Surface("polygon", cells=(5, 1), opacity=0.85)),
+        marks=(*(Mark(f"plumb line {name}", colour="quiet", line="dotted", tip="dot", width=0.8) for name in SHAPES),
+               Mark("chosen", colour="l", width=1.8)),
+        labels=(*(Label(name, i, "l") for i, name in enumerate(SHAPES)),
+                Label("0.1", 7), Label("1", 8), Label("10", 9), Label("100 W/m²", 10)),
+        handles=(Handle("the height", 4, ("light_height",)), Handle("the width", 5, ("panel_width",)),
+                 Handle("the panel's edge", 6, ("panel_tilt",))),
+        camera=Camera(azimuth=-84, elevation=34, distance=9.4, target=(0.0, -0.35, 0.1)),
     ),
     plot=Curves(
         title="Straight below, against height",
         sweep="light_height",
         curves=(
-            Curve("panel", Term("irradiance_panel", {"light_x": 0.0, "light_y": 0.0, "panel_depth": "panel_width", **AT_POINT})),
-            Curve("disk", Term("irradiance_disk_light", {"height": "light_height", "offset": 0.0})),
-            Curve("sphere", Term("irradiance_sphere_light", {"distance": "light_height", "theta": 0.0})),
+            Curve("chosen", Term("irradiance_light", BELOW)),
+            *(Curve(name, Term("irradiance_light", {"light_shape": kind, **BELOW}), role="estimate")
+              for kind, name in enumerate(SHAPES)),
         ),
         y_label="W/m²",
         y_scale="log",
     ),
     readouts=(
-        Readout("below the panel", Term("irradiance_panel", {
-            "light_x": 0.0, "light_y": 0.0, "panel_depth": "panel_width", **AT_POINT}), role="exact", unit="W/m²"),
-        Readout("64 samples of it", Term("irradiance_panel_sampled", {
-            "light_x": 0.0, "light_y": 0.0, "panel_depth": "panel_width", "sampling": 2, "level": 3, "seed": 1, **AT_POINT}),
-            role="estimate", unit="W/m²", against="below the panel"),
-        Readout("below the disk", Term("irradiance_disk_light", {"height": "light_height", "offset": 0.0}), role="exact",
-                unit="W/m²"),
-        Readout("below the sphere", Term("irradiance_sphere_light", {"distance": "light_height", "theta": 0.0}), role="exact",
-                unit="W/m²"),
+        Readout("below it", Term("irradiance_light", BELOW), role="exact", unit="W/m²"),
+        Readout("64 samples by area", Term("irradiance_light_sampled", {"sampling": 2, "level": 3, "seed": 1, **BELOW}),
+                role="estimate", unit="W/m²", against="below it"),
+        Readout("64 in solid angle", Term("irradiance_light_sampled", {"sampling": 4, "level": 3, "seed": 1, **BELOW}),
+                role="estimate", unit="W/m²", against="below it"),
     ),
     ask=Prediction(
         question="A sphere of radiance 1, two radii away and overhead, gives 0.79 W/m². With its centre on the horizon?",
@@ -1106,20 +1250,21 @@ vec4 probe(int i) {
         unit="W/m²",
         low=0.0,
         high=0.8,
-        sets={"light_height": 0.12},
+        sets={"light_shape": 2, "light_height": 0.12},
         told="0.091. Half of it is above the horizon and grazes. As a point it would give nothing: cos 90° is 0.",
     ),
     notes="""
-Say what is equal in the three bays: the radiance, not the flux. Ask which floor is brightest below and why: the widest
+Say what is equal in the four bays: the radiance, not the flux. Ask which floor is brightest below and why: the widest
 light. Push the lamps down until they touch: each floor tends to pi L, the most one radiance can give. Past the floor the
-formulas are cut at the horizon; a formula without the cut gives negative light there. The readout shows what 64 samples
-cost for the same number. 5 minutes.
+formulas are cut at the horizon; a formula without the cut gives negative light there. The readouts show what 64 samples
+make of the same number. 5 minutes.
 """,
     sources=("Deck, slide Light Contribution of Area Lights (1)", "Lambert 1760: polygon contour",
              "Snyder 1969: sphere with horizon", "Howell: parallel disk, B-12", "optics reference 2.3"),
-    honesty="Exact for diffuse receivers without shadows; a lamp half in the floor is cut by the horizon of each point.",
-    values=(Value("light_height", 0.7, low=0.06, high=3.0), Value("panel_tilt", 0.0, low=-88.0, high=88.0),
-            Value("radius", 0.4, low=0.05, high=0.6), Value("panel_width", 0.8, low=0.1, high=1.2),
+    honesty="Exact for diffuse receivers without shadows; a lamp half in the floor is cut by the horizon of each point. The disk "
+            "always looks down.",
+    values=(Value("light_shape", 2, choices=SHAPES), Value("light_height", 0.7, low=0.06, high=3.0),
+            Value("panel_width", 0.8, low=0.1, high=1.2), Value("panel_tilt", 0.0, low=-88.0, high=88.0),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True)),
     minutes=5,
 )
@@ -1136,60 +1281,50 @@ The floor's colours are the **error**, in powers of ten, of the method you choos
 $x$. [Random](?sampling=1&level=3): a hundred times the samples for one more digit. [Stratified](?sampling=2&level=3): ten
 times. [Sobol](?sampling=3&level=3) about as good, at any number.
 
-Then place the samples where the panel *looks* large: evenly in **solid angle**. The $1/r^2$ and one cosine are gone from
+Then place the samples where the light *looks* large: evenly in **solid angle**. The $1/r^2$ and one cosine are gone from
 the sum. [Sobol there](?sampling=4&level=3), and [Gauss points there](?sampling=5&level=3): 64 of them give six digits,
-nearly everywhere. Push the panel [into the floor](?light_height=0.2&sampling=5&level=3) and the horizon's crease takes that
-away again.
+nearly everywhere. For a [sphere](?light_shape=2&sampling=5&level=3) it is the cone it fills. A [disk](?light_shape=1&sampling=5&level=3)
+and a [polygon](?light_shape=3&sampling=5&level=3) take the square around them; a sample beside the shape counts nothing, and that
+step costs Gauss his digits. So does the horizon's crease in a light [half in the floor](?light_shape=0&light_height=0.2&sampling=5&level=3).
 """,
     scene=Scene(
         glsl="""
-#include "optics/panel_samples.glsl"
+#include "optics/shape_samples.glsl"
+#include "optics/spherical.glsl"
 #include "display/scale.glsl"
-uniform int sampling;
-uniform int level;
-uniform int seed;
-uniform vec3 position;
-""" + PANEL_GLSL + """
+""" + SAMPLES_GLSL + """
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vec3(4.0 * s - 2.0, 0.0);
     if (surface == 1) return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
-    return panel(s);
+    return lamp_point(s);
 }
 
 vec3 shade(Surface s) {
     if (s.id == 1) return decades(pow(10.0, 6.0 * s.st.x - 6.0), -6.0, 0.0);
     if (s.id == 2) return lamp_colour(s);
     int own = int(gl_FragCoord.x) + 8192 * int(gl_FragCoord.y) + seed;
-    float found = irradiance_panel_sampled(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position, sampling, level, own);
+    float found = sampled(s.position, own);
     float right = exact(s.position);
     return decade_colour(right > 0.0 ? max(abs(found - right) / right, 1e-7) : 0.0, -6.0, 0.0);
 }
 
-vec3 dot_point(int i) {
-    return panel_sample(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position, sampling, level, seed, i) + 0.006 * face();
-}
-
-vec4 dot_colour(int i) {
-    return vec4(palette[COLOUR_R], i < (1 << (2 * level)) ? 1.0 : 0.0);
-}
-
 vec3 mark_point(int mark, float t) {
-    if (mark < 4) return edge(mark, t);
+    if (mark == 0) return rim_point(t);
     return position + vec3(0.0, 0.0, 0.5 * t);
 }
 
 vec4 probe(int i) {
-    if (i == 0) return vec4(light_x, light_y, light_height, 1.0);
-    if (i == 1) return vec4(panel(vec2(0.5, 1.0)), 1.0);
+    if (i == 0) return vec4(middle(), 1.0);
+    if (i == 1) return vec4(panel_point(light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, 0.5, 1.0), 1.0);
     if (i == 2) return vec4(position, 1.0);
     return vec4(i == 3 ? -1.5 : i == 4 ? -0.5333 : i == 5 ? 0.5333 : 1.5, -2.62, 0.0, 1.0);
 }
 """,
-        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("panel", cells=(2, 2))),
-        marks=(*EDGES, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
+        surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
+        marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
         dots=Dots(256, size=0.9),
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
-        handles=(Handle("the panel", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
+        handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),
         camera=Camera(azimuth=-84, elevation=38, distance=9.6, target=(0.0, -0.4, 0.0)),
     ),
@@ -1197,34 +1332,34 @@ vec4 probe(int i) {
         title="Error at x against samples",
         sweep="level",
         curves=(
-            Curve("exact", Term("irradiance_panel")),
-            *(Curve(name, Term("irradiance_panel_sampled", {"sampling": kind}), role="estimate")
+            Curve("exact", Term("irradiance_light")),
+            *(Curve(name, Term("irradiance_light_sampled", {"sampling": kind}), role="estimate")
               for kind, name in ((2, "stratified"), (3, "Sobol"), (4, "Sobol, angle"), (5, "Gauss, angle"))),
-            Curve("random", Term("irradiance_panel_sampled", {"sampling": 1}), role="printed"),
+            Curve("random", Term("irradiance_light_sampled", {"sampling": 1}), role="printed"),
         ),
         y_label="relative error",
         y_scale="log",
         error=True,
     ),
     readouts=(
-        Readout("exact at x", Term("irradiance_panel"), role="exact", unit="W/m²"),
-        Readout("random", Term("irradiance_panel_sampled", {"sampling": 1}), role="estimate", unit="W/m²",
+        Readout("exact at x", Term("irradiance_light"), role="exact", unit="W/m²"),
+        Readout("random", Term("irradiance_light_sampled", {"sampling": 1}), role="estimate", unit="W/m²",
                 against="exact at x"),
-        Readout("Sobol in solid angle", Term("irradiance_panel_sampled", {"sampling": 4}), role="estimate", unit="W/m²",
+        Readout("Sobol in solid angle", Term("irradiance_light_sampled", {"sampling": 4}), role="estimate", unit="W/m²",
                 against="exact at x"),
-        Readout("Gauss in solid angle", Term("irradiance_panel_sampled", {"sampling": 5}), role="estimate", unit="W/m²",
+        Readout("Gauss in solid angle", Term("irradiance_light_sampled", {"sampling": 5}), role="estimate", unit="W/m²",
                 against="exact at x"),
     ),
     ask=Prediction(
         question="The panel of 2 m by 2 m half a metre up gives 26.1 W/m². One sample in its centre says 160. What do four "
                  "Gauss points even in solid angle say?",
-        truth=Term("irradiance_panel_sampled", {
-            "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0, "panel_depth": 2.0,
-            "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0), "sampling": 5, "level": 1, "seed": 0}),
+        truth=Term("irradiance_light_sampled", {
+            "light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
+            "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0), "sampling": 5, "level": 1, "seed": 0}),
         unit="W/m²",
         choices=(Choice("still half too much", 32.0, 80.0), Choice("20 % too little", 18.0, 24.0),
                  Choice("26, to 2 %", 25.6, 26.7)),
-        sets={"sampling": 5, "level": 1},
+        sets={"light_shape": 0, "sampling": 5, "level": 1},
         told="26.5, or 1.5 % too much, from four samples. With 64 the error is 3 in a million.",
     ),
     notes="""
@@ -1232,12 +1367,13 @@ Ask which method wins for a near panel, and let them vote before the map turns d
 sample in solid angle costs a few times one by area, and is worth hundreds. Then the exceptions: a crease at the horizon, a
 shadow, a mirror; Gauss needs smoothness, Sobol and stratified do not mind. Far away all agree. 6 minutes.
 """,
-    sources=("Urena, Fajardo, King 2013: spherical rectangles", "Abramowitz and Stegun 1964, 25.4.30", "optics reference 5",
+    sources=("Urena, Fajardo, King 2013: spherical rectangles", "Gamito 2016: disks in the square around them",
+             "Shirley, Wang, Zimmerman 1996: spheres", "Abramowitz and Stegun 1964, 25.4.30", "optics reference 5",
              "Deck, slide Light Contribution of Area Lights (2)"),
-    honesty="Errors are against the closed form, in float32 on the floor (about 1e-6). Thin or far panels are sampled by area.",
-    values=(Value("sampling", 2, choices=("grid", "random", "stratified", "Sobol", "Sobol, solid angle",
+    honesty="Errors are against the closed form, in float32 on the floor (about 1e-6). Thin or far flat lights are sampled by area.",
+    values=(Value("light_shape", 0, choices=SHAPES), Value("sampling", 2, choices=("grid", "random", "stratified", "Sobol", "Sobol, solid angle",
                                           "Gauss, solid angle")),
-            Value("level", 2, high=4), Value("panel_tilt", -58.0), Value("light_height", 0.6, low=0.1, high=2.0),
+            Value("level", 2, high=4), Value("panel_tilt", -58.0, more=True), Value("light_height", 0.6, low=0.1, high=2.0),
             Value("light_x", 0.0, more=True), Value("light_y", 0.9, more=True),
             Value("panel_width", 1.8, low=0.3, more=True), Value("panel_depth", 0.9, low=0.3, high=2.0, more=True),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True),
@@ -1282,7 +1418,7 @@ float spot_linear(float off_axis, float hotspot, float falloff) {
 CHAPTER = Chapter(
     title="Lights",
     idea="Which way is the light, and how much of it arrives: for points, directions, spots and areas.",
-    steps=(SOURCES, POSITIONAL, DIRECTIONAL, DISTRIBUTION, IES, SPOT, AREA_SAMPLED, AREA_EXACT, AREA_WORK),
+    steps=(SOURCES, POSITIONAL, DIRECTIONAL, DISTRIBUTION, IES, SPOT, AREA_UNITS, AREA_SAMPLED, AREA_EXACT, AREA_WORK),
     exercises=(
         Exercise(
             name="spot",

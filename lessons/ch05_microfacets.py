@@ -436,7 +436,7 @@ float lean_of(int ray) { return facet + asin((2.0 * float(ray) + 1.0) / float(FA
 bool goes_on(int ray) { return groove_blocked(facet, HIT, lean_of(ray)) > 0.5; }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return centre(ball_number(s, 3)) + axes(ball_number(s, 3)) * ball_point(s, 3);
+    if (surface == 0) return ball_point(s, 3, centre(ball_number(s, 3)), 1.0);
     if (surface == 1) {
         int k = int(s.x * 4.0 + 0.5);
         return GROOVE + SCALE * vec3((float(k) - 2.0) * cos(facet), 0.02, mix(-1.05, k % 2 == 0 ? -sin(facet) : 0.0, s.y));
@@ -464,7 +464,7 @@ float speckle(vec3 p) {
 vec3 shade(Surface s) {
     if (s.id == 0) {
         int i = ball_number(s.st, 3);
-        vec3 n = normalize(s.position - centre(i)), v = axes(i)[1], l = axes(i) * vec3(sin(phase), cos(phase), 0.0);
+        vec3 n = ball_normal(s.position - centre(i), s.v), v = axes(i)[1], l = axes(i) * vec3(sin(phase), cos(phase), 0.0);
         float albedo = min(rho * speckle(n), 0.99);
         float f = i == 0 ? brdf_lambert(n, l, v, albedo) : i == 1 ? brdf_oren_nayar(n, l, v, albedo, sigma) : brdf_eon(n, l, v, albedo, roughness);
         return vec3(1.0, 0.97, 0.92) * (PI * f * max(dot(n, l), 0.0));
@@ -489,13 +489,13 @@ vec4 probe(int i) {
     return vec4(GROOVE + SCALE * groove_point(facet, 1.0), 1.0);
 }
 """,
-        surfaces=(Surface("three Moons", cells=(74, 48)), Surface("groove", cells=(4, 1)), Surface("first bounce", cells=(29, 1)),
+        surfaces=(Surface("three Moons", cells=(98, 2)), Surface("groove", cells=(4, 1)), Surface("first bounce", cells=(29, 1)),
                   Surface("second bounce", cells=(29, 1)), Surface("night", cells=(1, 1))),
         marks=(Mark("the light", colour="l", tip="arrow", width=1.6), *(Mark(f"place {i}", line="dashed") for i in range(3))),
         labels=(Label("Lambert", 0), Label("Oren–Nayar", 1), Label("EON", 2)),
         handles=(Handle("the place", 3, ("disk_x",)), Handle("the groove", 4, ("facet",))),
         legend=(("v", "gets out"), ("r", "meets the other facet")),
-        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.42), field_of_view=14.5),
+        camera=Camera(azimuth=-90, elevation=3, distance=30.0, target=(0.0, 0.0, 0.36), field_of_view=13.4),
     ),
     plot=(
         Curves(

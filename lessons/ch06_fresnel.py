@@ -26,6 +26,10 @@ from app.lesson import (
 PI = 3.141592653589793
 FRESNEL = "Cook – Torrance – Fresnel Term ({})".format
 CHANNELS = ("red", "green", "blue")
+CHANNEL_COLOURS = ("#D9483B", "#2C9C55", "#3B7DD8")
+METAL_NAMES = ("gold", "silver", "copper", "iron", "aluminium")
+MATERIAL_NAMES = ("water", "glass", "plastic", "ruby", "diamond", *METAL_NAMES)
+GOLD, IRON, DIAMOND, GLASS = "#C99A1E", "#8C8F94", "#4FA3D1", "#3E9E6E"
 
 FLAT_MIRROR = Step(
     name="flat_mirror",
@@ -180,11 +184,19 @@ uniform float eta;
 uniform float polariser;
 
 const vec3 EYE = vec3(0.0, 0.0, 1.7);
+const float FAR = 40.0;
+
+// A sine for scenery, of parabolas: off by 0.06, and a tenth of the price.
+vec2 wave(vec2 x) {
+    vec2 t = 2.0 * fract(x / (2.0 * PI)) - 1.0;
+    return 4.0 * t * (abs(t) - 1.0);
+}
 
 vec3 scenery(vec3 d) {
-    float up = d.z / max(length(d.xy), 1e-4), a = atan(d.x, max(d.y, 1e-4));
-    float ridge = 0.13 + 0.05 * sin(5.0 * a + 1.0) + 0.03 * sin(13.0 * a) + 0.012 * sin(37.0 * a + 2.0);
-    float hills = 0.045 + 0.02 * sin(9.0 * a + 3.0) + 0.008 * sin(41.0 * a);
+    float up = d.z / max(length(d.xy), 1e-4), a = d.x / max(d.y, 1e-4);
+    vec2 broad = wave(vec2(5.0 * a + 1.0, 13.0 * a)), near = wave(vec2(9.0 * a + 3.0, 41.0 * a));
+    float ridge = 0.13 + 0.05 * broad.x + 0.03 * broad.y + 0.012 * wave(vec2(37.0 * a + 2.0)).x;
+    float hills = 0.045 + 0.02 * near.x + 0.008 * near.y;
     vec3 sky = mix(vec3(1.0, 0.62, 0.30), vec3(0.16, 0.34, 0.68), smoothstep(0.02, 0.6, up));
     if (up < hills) return vec3(0.03, 0.06, 0.035);
     if (up < ridge) return mix(vec3(0.20, 0.15, 0.22), vec3(0.75, 0.72, 0.78), smoothstep(0.11, 0.19, up));
@@ -192,15 +204,16 @@ vec3 scenery(vec3 d) {
 }
 
 vec3 ground(vec2 p) {
-    vec2 cell = floor(p * 5.0), best = vec2(9.0, 0.0);
+    vec2 cell = floor(p * 5.0), best = vec2(81.0, 0.0);
     for (int i = 0; i < 9; i++) {
         vec2 at = cell + vec2(float(i % 3 - 1), float(i / 3 - 1));
-        vec2 jitter = fract(sin(vec2(dot(at, vec2(12.7, 31.1)), dot(at, vec2(26.9, 18.3)))) * 437.5);
-        float d = length(p * 5.0 - at - jitter) / (0.6 + 0.8 * fract(7.0 * jitter.y));
-        if (d < best.x) best = vec2(d, jitter.x);
+        vec2 jitter = fract(437.5 * wave(vec2(dot(at, vec2(12.7, 31.1)), dot(at, vec2(26.9, 18.3)))));
+        vec2 off = (p * 5.0 - at - jitter) / (0.6 + 0.8 * fract(7.0 * jitter.y));
+        float d2 = dot(off, off);
+        if (d2 < best.x) best = vec2(d2, jitter.x);
     }
     vec3 stone = mix(vec3(0.05, 0.08, 0.07), vec3(0.24, 0.22, 0.15), best.y);
-    vec3 near = stone * (1.0 - 0.9 * smoothstep(0.25, 0.75, best.x));
+    vec3 near = stone * (1.0 - 0.9 * smoothstep(0.25, 0.75, sqrt(best.x)));
     return mix(near, vec3(0.02, 0.07, 0.08), smoothstep(2.0, 9.0, length(p)));
 }
 
@@ -209,19 +222,23 @@ vec3 ring(float angle, float turn) {
     return vec3(r * sin(turn), r * cos(turn), 0.01);
 }
 
-// The view as a picture of a size of its own: where the ray through (x, y) of it meets the lake or the sky.
+// The view as a picture of a size of its own: where the ray through (x, y) of it meets the lake, or beyond the shore the
+// sky; the shore lies where the rays are FAR metres long.
 vec3 surface_point(int surface, vec2 s) {
-    vec2 at = (s - 0.5) * vec2(1.44, 1.36);
-    vec3 d = normalize(vec3(at.x, 0.9135 + 0.4067 * at.y, -0.4067 + 0.9135 * at.y));
-    return EYE + d * (d.z < -1.7 / 40.0 ? -1.7 / d.z : 40.0);
+    float x = 1.44 * (s.x - 0.5), shore = (0.4067 - EYE.z / FAR * sqrt(1.19 + x * x)) / 0.9135;
+    float y = surface == 0 ? mix(-0.68, shore, s.y) : mix(shore, 0.68, s.y);
+    vec3 d = vec3(x, 0.9135 + 0.4067 * y, -0.4067 + 0.9135 * y);
+    return EYE + d * (surface == 0 ? -EYE.z / d.z : FAR / length(d));
 }
 
 vec3 shade(Surface s) {
-    vec3 d = normalize(s.position - EYE);
-    if (d.z > -1.7 / 40.0) return scenery(d);
-    float far = length(s.position - EYE), calm = 0.012 / (1.0 + 0.5 * far);
+    vec3 off = s.position - EYE;
+    float far = length(off), calm = 0.012 / (1.0 + 0.5 * far);
+    vec3 d = off / far;
+    if (s.id == 1) return scenery(d);
     vec2 p = s.position.xy * 7.0;
-    vec3 n = normalize(vec3(calm * sin(p.x + 2.0 * sin(0.7 * p.y)), calm * sin(1.3 * p.y + 1.5 * sin(0.6 * p.x)), 1.0));
+    vec2 ripple = wave(vec2(p.x, 1.3 * p.y) + vec2(2.0, 1.5) * wave(vec2(0.7, 0.6) * p.yx));
+    vec3 n = normalize(vec3(calm * ripple, 1.0));
     float c = clamp(dot(n, -d), 0.0, 1.0), turn = cos(polariser) * cos(polariser);
     float f = f_dielectric_s(c, eta) * turn + f_dielectric_p(c, eta) * (1.0 - turn);
     vec3 r = reflect(d, n);
@@ -240,7 +257,7 @@ vec4 probe(int i) {
     return vec4(ring(theta, 0.0), 1.0);
 }
 """,
-        surfaces=(Surface("lake, shore and sky", cells=(48, 160)),),
+        surfaces=(Surface("lake", cells=(24, 1)), Surface("shore and sky", cells=(24, 1))),
         marks=(
             Mark("ring", colour="l", segments=48, width=2.0, label="θ", label_at=0.2),
             Mark("Brewster", colour="printed", line="dashed", segments=48, label="Brewster", label_at=0.75),
@@ -413,8 +430,17 @@ and prisms in binoculars live from this. 5 minutes.
     beyond=True,
 )
 
-# A row of the tables as a polished ball, with a colour of its own under the clear surface of insulators
-ROW_GLSL = """
+# A row of the tables as a polished ball: a metal, or an insulator with a colour of its own under the clear surface
+METAL_GLSL = """
+#include "optics/materials.glsl"
+#include "display/balls.glsl"
+#include "display/studio.glsl"
+
+vec3 lit_metal(int i, vec3 n, vec3 v) {
+    return max(f_material(max(dot(n, v), 0.0), i), 0.0) * studio(reflect(-v, n));
+}
+"""
+INSULATOR_GLSL = """
 #include "optics/materials.glsl"
 #include "display/balls.glsl"
 #include "display/studio.glsl"
@@ -422,15 +448,15 @@ ROW_GLSL = """
 
 vec3 body(int i) {
     if (i == 0) return vec3(0.01, 0.05, 0.09);
-    if (i == 1) return vec3(0.55, 0.05, 0.04);
-    if (i == 2) return vec3(0.03, 0.30, 0.10);
+    if (i == 1) return vec3(0.03, 0.30, 0.10);
+    if (i == 2) return vec3(0.55, 0.05, 0.04);
     if (i == 3) return vec3(0.30, 0.005, 0.03);
     return vec3(0.10, 0.12, 0.15);
 }
 
-vec3 lit_ball(int i, vec3 n, vec3 v) {
-    vec3 f = f_material(max(dot(n, v), 0.0), i), mirrored = f * studio(reflect(-v, n));
-    return max(mirrored, 0.0) + (i < INSULATORS ? (1.0 - f) * soft_light(body(i), n, v) : vec3(0.0));
+vec3 lit_insulator(int i, vec3 n, vec3 v) {
+    float f = f_dielectric(max(dot(n, v), 0.0), material_eta(i));
+    return f * studio(reflect(-v, n)) + (1.0 - f) * soft_light(body(i), n, v);
 }
 """
 
@@ -446,11 +472,11 @@ you see in the middle of the red ball is light that went in and came out again.
 **Metals** have a complex index $\eta + ik$. Light that enters is swallowed within a thousandth of a hair, so nothing comes
 back from within: a metal has *no diffuse part*, and its mirror is its colour.
 
-Both agree at the rim: there every material is a white mirror. Choose [water](?material=0), [diamond](?material=4),
-[gold](?material=5), [iron](?material=8) and compare head-on with [the rim](?theta=85).
+Both agree at the rim: there every material is a white mirror. Choose [water](?material=water), [diamond](?material=diamond),
+[gold](?material=gold), [iron](?material=iron) and compare head-on with [the rim](?theta=85).
 """,
     scene=Scene(
-        glsl=ROW_GLSL + """
+        glsl=METAL_GLSL + INSULATOR_GLSL + """
 #include "stage/camera.glsl"
 uniform int material;
 uniform float theta;
@@ -460,12 +486,13 @@ vec3 ball_centre(int i) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    return ball_centre(ball_number(s, 10)) + ball_point(s, 10);
+    return ball_point(s, 5, ball_centre(ball_number(s, 5) + surface * INSULATORS), 1.0);
 }
 
 vec3 shade(Surface s) {
-    int i = ball_number(s.st, 10);
-    return lit_ball(i, normalize(s.position - ball_centre(i)), s.v);
+    int i = ball_number(s.st, 5) + s.id * INSULATORS;
+    vec3 n = ball_normal(s.position - ball_centre(i), s.v);
+    return s.id == 0 ? lit_insulator(i, n, s.v) : lit_metal(i, n, s.v);
 }
 
 // The place of the chosen ball whose normal is theta from the eye's direction
@@ -486,10 +513,9 @@ vec4 probe(int i) {
     return vec4(ball_centre(i - 1) + vec3(0.0, 0.0, i > INSULATORS ? 1.32 : -1.32), 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(249, 36)),),
+        surfaces=(Surface("insulators", cells=(164, 2)), Surface("metals", cells=(164, 2))),
         marks=(Mark("angle", colour="v", segments=64, width=1.3), Mark("chosen", colour="exact", line="dashed", segments=64)),
-        labels=tuple(Label(name, i + 1) for i, name in enumerate(
-            ("water", "plastic −", "plastic +", "ruby", "diamond", "gold", "silver", "copper", "iron", "aluminium"))),
+        labels=tuple(Label(name, i + 1) for i, name in enumerate(MATERIAL_NAMES)),
         handles=(Handle("the angle", 0, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=3, distance=30, target=(0.0, 0.0, 0.0), field_of_view=22),
     ),
@@ -497,12 +523,12 @@ vec4 probe(int i) {
         title="Exact, against the angle",
         sweep="theta",
         curves=(
-            Curve("gold, red", Term("material_share", {"material": 5, "channel": 0}), role="printed"),
-            Curve("gold, blue", Term("material_share", {"material": 5, "channel": 2}), role="printed"),
-            Curve("iron, green", Term("material_share", {"material": 8, "channel": 1})),
-            Curve("diamond", Term("material_share", {"material": 4, "channel": 1}), role="estimate"),
-            Curve("glass", Term("material_share", {"material": 1, "channel": 1}), role="estimate"),
             Curve("the chosen one", Term("material_share")),
+            Curve("gold, red", Term("material_share", {"material": 5, "channel": 0}), role="printed", colour=GOLD),
+            Curve("gold, blue", Term("material_share", {"material": 5, "channel": 2}), role="printed", colour=GOLD),
+            Curve("iron, green", Term("material_share", {"material": 8, "channel": 1}), colour=IRON),
+            Curve("diamond", Term("material_share", {"material": 4, "channel": 1}), role="estimate", colour=DIAMOND),
+            Curve("glass", Term("material_share", {"material": 1, "channel": 1}), role="estimate", colour=GLASS),
         ),
         y_label="share reflected, one channel",
     ),
@@ -530,7 +556,7 @@ physics. That is why one has a diffuse term and the other must not. 6 minutes.
              "CIE 015:2004: D65 and the 1931 observer"),
     honesty="The Fresnel term is exact from measured indices, over twelve wavelengths for metals and one for insulators. "
             "The room that is mirrored and the colour inside the insulators are made up.",
-    values=(Value("material", 5), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
+    values=(Value("material", 5, choices=MATERIAL_NAMES), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
     minutes=6,
 )
 
@@ -544,14 +570,14 @@ The deck prints two numbers a metal and channel: $F(0°)$ in **linear** light, a
 is computed with the first; the second is only for looking.
 
 The balls are made from measured $n$ and $k$. Under them, three plates: the linear column, the sRGB column, and the
-colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=5&channel=0): more than all the red there
+colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=gold&channel=red): more than all the red there
 is. That is no error: gold's yellow is purer than sRGB can show. The stripes mark it.
 
-[Iron](?material=8&channel=2) is printed bluish; these data make it slightly warm. [Aluminium's](?material=9&channel=2)
+[Iron](?material=iron&channel=blue) is printed bluish; these data make it slightly warm. [Aluminium's](?material=aluminium&channel=blue)
 two columns differ by a rounding.
 """,
     scene=Scene(
-        glsl=ROW_GLSL + """
+        glsl=METAL_GLSL + """
 #include "stage/camera.glsl"
 uniform int material;
 uniform float theta;
@@ -560,35 +586,42 @@ vec3 plate_centre(int i) {
     return vec3(2.25 * float(i - 2), 0.0, 0.0);
 }
 
+vec3 ball_centre(int i) {
+    return plate_centre(i) + vec3(0.0, 0.0, 1.3);
+}
+
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return plate_centre(ball_number(s, 5)) + vec3(0.0, 0.0, 1.3) + ball_point(s, 5);
-    return vec3(-5.6 + 11.2 * s.x, 0.0, -5.1 + 5.1 * s.y);
+    if (surface == 0) return ball_point(s, 5, ball_centre(ball_number(s, 5)), 1.0);
+    return vec3(-5.6 + 11.2 * s.x, 0.0, -1.7 * (float(surface) - s.y));
 }
 
 vec3 decoded(vec3 c) {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 
-vec3 shade(Surface s) {
-    if (s.id == 0) {
-        int ball = ball_number(s.st, 5);
-        return lit_ball(ball + INSULATORS, normalize(s.position - plate_centre(ball) - vec3(0.0, 0.0, 1.3)), s.v);
-    }
-    int i = clamp(int(floor((s.position.x + 5.625) / 2.25)), 0, 4);
-    vec2 at = vec2(s.position.x - plate_centre(i).x, fract(3.0 * s.st.y));
-    if (abs(at.x) > 1.0 || at.y < 0.06 || at.y > 0.94) return vec3(0.03); // a dark card, so that silver shows on white
-    int row = int(3.0 * s.st.y);
-    if (row == 2) return material_f0(i + INSULATORS);
-    if (row == 1) return decoded(material_srgb(i + INSULATORS));
+vec3 plate(int surface, int i) {
+    if (surface == 1) return material_f0(i + INSULATORS);
+    if (surface == 2) return decoded(material_srgb(i + INSULATORS));
     vec3 f = f_material(max(0.0, cos(theta)), i + INSULATORS);
     bool out_of_gamut = max(f.r, max(f.g, f.b)) > 1.0;
     if (out_of_gamut && mod(gl_FragCoord.x + gl_FragCoord.y, 14.0) < 2.0) return vec3(0.0);
     return f;
 }
 
+vec3 shade(Surface s) {
+    if (s.id == 0) {
+        int ball = ball_number(s.st, 5);
+        return lit_metal(ball + INSULATORS, ball_normal(s.position - ball_centre(ball), s.v), s.v);
+    }
+    int i = clamp(int(floor((s.position.x + 5.625) / 2.25)), 0, 4);
+    vec2 at = vec2(s.position.x - plate_centre(i).x, s.st.y - 0.5), wide = fwidth(vec2(s.position.x, s.st.y));
+    vec2 inside = clamp((vec2(1.0, 0.44) - abs(at)) / wide + 0.5, 0.0, 1.0);
+    return mix(vec3(0.03), plate(s.id, i), inside.x * inside.y); // on a dark card, so that silver shows on white
+}
+
 // The place of the chosen ball whose normal is theta from the eye's direction
 vec3 place(float turn) {
-    vec3 c = plate_centre(material - INSULATORS) + vec3(0.0, 0.0, 1.3), v = normalize(camera_position - c);
+    vec3 c = ball_centre(material - INSULATORS), v = normalize(camera_position - c);
     vec3 side = normalize(cross(v, vec3(0.0, 0.0, 1.0))), up = cross(side, v);
     return c + 1.01 * (cos(theta) * v + sin(theta) * (cos(turn) * side + sin(turn) * up));
 }
@@ -604,23 +637,23 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i < 5) return vec4(plate_centre(i) + vec3(0.0, 0.0, 2.66), 1.0);
     if (i == 8) return vec4(place(0.8), 1.0);
-    return vec4(-6.4, 0.0, i == 5 ? -0.85 : i == 6 ? -2.55 : -4.25, 1.0);
+    return vec4(-6.65, 0.0, i == 5 ? -0.85 : i == 6 ? -2.55 : -4.25, 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(124, 36)), Surface("plates", cells=(1, 1))),
+        surfaces=(Surface("balls", cells=(164, 2)), Surface("linear, printed", cells=(1, 1)),
+                  Surface("sRGB, printed", cells=(1, 1)), Surface("from n, k", cells=(1, 1))),
         marks=(Mark("chosen", colour="exact", line="dashed", segments=64),
                Mark("angle", colour="v", segments=64, width=1.3)),
-        labels=(*(Label(name, i) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium"))),
+        labels=(*(Label(name, i) for i, name in enumerate(METAL_NAMES)),
                 Label("linear", 5, "printed"), Label("sRGB", 6, "printed"), Label("n, k", 7)),
         handles=(Handle("the angle", 8, ("theta",)),),
-        camera=Camera(azimuth=-90, elevation=2, distance=34, target=(-0.3, 0.0, -1.2), field_of_view=21),
+        camera=Camera(azimuth=-90, elevation=2, distance=34, target=(-0.7, 0.0, -1.2), field_of_view=21),
     ),
     plot=Curves(
         title="The chosen metal, red, green, blue",
         sweep="theta",
-        curves=(Curve("red", Term("material_share", {"channel": 0}), role="printed"),
-                Curve("green", Term("material_share", {"channel": 1})),
-                Curve("blue", Term("material_share", {"channel": 2}), role="estimate")),
+        curves=tuple(Curve(name, Term("material_share", {"channel": i}), colour=CHANNEL_COLOURS[i])
+                     for i, name in enumerate(CHANNELS)),
         y_label="share reflected",
     ),
     readouts=(
@@ -648,7 +681,7 @@ blue cannot mix so pure a yellow. Let them find the entries whose sRGB is not th
              "1974; Rakic 1995", "IEC 61966-2-1: sRGB", "CIE 015:2004: D65 and the 1931 observer"),
     honesty="From n, k: thin films in vacuum, twelve wavelengths, daylight. Other films of the same metal differ by several "
             "hundredths. On the screen what lies beyond 1 is cut off; the stripes say where.",
-    values=(Value("material", 5, low=5, high=9), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
+    values=(Value("material", 5, low=5, choices=MATERIAL_NAMES), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
     minutes=5,
 )
 
@@ -670,7 +703,7 @@ $\colour{printed}{\text{adds them up}}$, and its rim gives more than it got. Try
 [diamond](?eta=2.4175), [no boundary](?eta=1).
 """,
     scene=Scene(
-        glsl=ROW_GLSL + """
+        glsl=INSULATOR_GLSL + """
 uniform float eta;
 
 const vec3 LARGE = vec3(0.0, 0.0, 1.75);
@@ -681,16 +714,16 @@ vec3 small(int i) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return LARGE + SIZE * sphere_point(s.x, s.y);
-    return small(ball_number(s, 5)) + ball_point(s, 5);
+    if (surface == 0) return cap_to_eye(s, LARGE, SIZE);
+    return ball_point(s, 5, small(ball_number(s, 5)), 1.0);
 }
 
 vec3 shade(Surface s) {
     if (s.id == 1) {
         int i = ball_number(s.st, 5);
-        return lit_ball(i, normalize(s.position - small(i)), s.v);
+        return lit_insulator(i, ball_normal(s.position - small(i), s.v), s.v);
     }
-    vec3 n = normalize(s.position - LARGE), paint = vec3(0.26, 0.52, 0.90);
+    vec3 n = ball_normal((s.position - LARGE) / SIZE, s.v), paint = vec3(0.26, 0.52, 0.90);
     float f = f_dielectric(max(dot(n, s.v), 0.0), eta);
     vec3 inside = soft_light(paint, n, s.v) * (s.position.x < 0.0 ? 1.0 - f : 1.0);
     return inside + f * studio(reflect(-s.v, n));
@@ -707,9 +740,9 @@ vec4 probe(int i) {
     return vec4(LARGE + vec3(SIZE * (eta - 1.0) / 2.0, -0.4, -SIZE), 1.0);
 }
 """,
-        surfaces=(Surface("large ball", cells=(96, 48)), Surface("balls", cells=(124, 36))),
+        surfaces=(Surface("large ball", cells=(64, 4)), Surface("balls", cells=(164, 2))),
         marks=(Mark("divide", colour="quiet", segments=48),),
-        labels=(*(Label(name, i) for i, name in enumerate(("water", "plastic −", "plastic +", "ruby", "diamond"))),
+        labels=(*(Label(name, i) for i, name in enumerate(MATERIAL_NAMES[:5])),
                 Label("(1 − F) body", 5), Label("body + F", 6, "printed")),
         handles=(Handle("the index", 7, ("eta",)),),
         camera=Camera(azimuth=-90, elevation=3, distance=32, target=(0.0, 0.0, 0.3), field_of_view=20),
@@ -760,7 +793,7 @@ Schlick keeps the start and the end and joins them by a fifth power:
 
 $$\colour{printed}{F} = c_0 + (1-c_0)(1 - l\cdot h)^5$$
 
-Good for water, plastics, silver, gold. But [iron](?material=8) and [aluminium](?material=9) *dip* before they rise, and the
+Good for water, plastics, silver, gold. But [iron](?material=iron) and [aluminium](?material=aluminium) *dip* before they rise, and the
 fit does not. One more number mends it: $F$ at 82°, the $\colour{estimate}{\text{F82}}$ form. The rows show the error of
 both; the scale ends at 0.18.
 
@@ -777,36 +810,48 @@ uniform int material;
 uniform float theta;
 
 const float SIZE = 1.95;
+// f_material of each metal at l_dot_h = 1 and 1/7: what Schlick's fit and F82's start from
+const vec3 F0[5] = vec3[5](
+    vec3(1.034603, 0.7279725, 0.3653369),
+    vec3(0.9893262, 0.9839215, 0.9778442),
+    vec3(0.9287197, 0.6231506, 0.5223334),
+    vec3(0.5296919, 0.5132438, 0.4942676),
+    vec3(0.9072824, 0.9158066, 0.9223137));
+const vec3 F82[5] = vec3[5](
+    vec3(0.9903208, 0.8574775, 0.6465084),
+    vec3(0.9875533, 0.9859803, 0.9870678),
+    vec3(0.9460601, 0.7552153, 0.7023742),
+    vec3(0.5716098, 0.5666232, 0.5837063),
+    vec3(0.8301127, 0.8621128, 0.8937931));
 
 vec3 place(int i) {
     return vec3(2.3 * float(i % 5 - 2), 0.0, 4.4 - 2.85 * float(i / 5));
 }
 
 vec3 rough(int surface) {
-    return vec3(surface == 1 ? -3.0 : 3.0, 0.0, -6.1);
+    return vec3(surface == 3 ? -3.0 : 3.0, 0.0, -6.1);
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 0) return place(ball_number(s, 15)) + ball_point(s, 15);
-    return rough(surface) + SIZE * sphere_point(s.x, s.y);
+    if (surface < 3) return ball_point(s, 5, place(ball_number(s, 5) + 5 * surface), 1.0);
+    return cap_to_eye(s, rough(surface), SIZE);
 }
 
 vec3 shade(Surface s) {
-    if (s.id == 0) {
-        int i = ball_number(s.st, 15), metal = INSULATORS + i % 5;
-        vec3 n = normalize(s.position - place(i));
+    if (s.id < 3) {
+        int i = ball_number(s.st, 5);
+        vec3 n = ball_normal(s.position - place(i + 5 * s.id), s.v);
         float c = max(dot(n, s.v), 0.0);
-        vec3 f = f_material(c, metal);
-        if (i < 5) return max(f, 0.0) * studio(reflect(-s.v, n));
-        vec3 f0 = f_material(1.0, metal), f82 = f_material(1.0 / 7.0, metal), off = vec3(0.0);
-        for (int k = 0; k < 3; k++) off[k] = abs((i < 10 ? f_schlick(c, f0[k]) : f_f82(c, f0[k], f82[k])) - f[k]);
+        vec3 f = f_material(c, i + INSULATORS), f0 = F0[i], off = vec3(0.0);
+        if (s.id == 0) return max(f, 0.0) * studio(reflect(-s.v, n));
+        for (int k = 0; k < 3; k++) off[k] = abs((s.id == 1 ? f_schlick(c, f0[k]) : f_f82(c, f0[k], F82[i][k])) - f[k]);
         return colormap(max(off.r, max(off.g, off.b)) / 0.18);
     }
-    vec3 n = normalize(s.position - rough(s.id)), v = s.v;
+    vec3 n = ball_normal((s.position - rough(s.id)) / SIZE, s.v), v = s.v;
     vec3 side = normalize(cross(vec3(0.0, 0.0, 1.0), v)), l = cos(2.0 * theta) * v - sin(2.0 * theta) * side;
     vec3 sum = l + v, h = sum / max(length(sum), 1e-6);
     float n_dot_l = max(dot(n, l), 0.0), n_dot_v = max(dot(n, v), 0.0);
-    float f = f_dielectric(s.id == 1 ? max(dot(l, h), 0.0) : n_dot_v, 1.5), on_h = max(dot(n, h), 0.0);
+    float f = f_dielectric(s.id == 3 ? max(dot(l, h), 0.0) : n_dot_v, 1.5), on_h = max(dot(n, h), 0.0);
     return vec3(0.12, 0.012, 0.02) * (0.15 + n_dot_l) + f * (3.5 * on_h) * smoothstep(0.0, 0.06, n_dot_l);
 }
 
@@ -816,16 +861,17 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     if (i < 3) return vec4(0.0, 0.0, 5.72 - 2.85 * float(i), 1.0);
-    if (i < 5) return vec4(rough(i - 2) + vec3(0.0, 0.0, SIZE + 0.3), 1.0);
+    if (i < 5) return vec4(rough(i) + vec3(0.0, 0.0, SIZE + 0.3), 1.0);
     if (i > 5) return vec4(place(i + 4) + vec3(0.0, 0.0, -1.4), 1.0);
-    return vec4(rough(1) + (SIZE + 0.3) * vec3(-sin(2.0 * theta), -cos(2.0 * theta), 0.0), 1.0);
+    return vec4(rough(3) + (SIZE + 0.3) * vec3(-sin(2.0 * theta), -cos(2.0 * theta), 0.0), 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(374, 36)), Surface("with l.h", cells=(64, 32)), Surface("with n.v", cells=(64, 32))),
+        surfaces=(*(Surface(name, cells=(164, 2)) for name in ("exact", "Schlick's error", "F82's error")),
+                  Surface("with l.h", cells=(48, 3)), Surface("with n.v", cells=(48, 3))),
         marks=(*(Mark(f"chosen {i}", colour="exact", line="dashed", segments=48) for i in range(3)),),
         labels=(Label("exact", 0), Label("Schlick's error", 1, "printed"), Label("F82's error", 2, "estimate"),
                 Label("F(l·h)", 3), Label("F(n·v)", 4, "printed"),
-                *(Label(name, i + 6) for i, name in enumerate(("gold", "silver", "copper", "iron", "aluminium")))),
+                *(Label(name, i + 6) for i, name in enumerate(METAL_NAMES))),
         handles=(Handle("the lamp", 5, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=2, distance=40, target=(0.0, 0.0, -1.3), field_of_view=22),
     ),
@@ -862,7 +908,7 @@ in more than one game. Where F82 costs: one number more a material, and a sixth 
              "Kutz et al. 2021: the F82 tint", "Johnson & Christy 1972, 1974; Rakic 1995"),
     honesty="Errors are against the exact term of measured indices, the largest of the three channels. The rough balls "
             "use a plain glow by n·h, no BRDF: those come with chapters 4 and 5.",
-    values=(Value("material", 8, low=5, high=9), Value("theta", 18.0, low=0.0, high=90.0),
+    values=(Value("material", 8, low=5, choices=MATERIAL_NAMES), Value("theta", 18.0, low=0.0, high=90.0),
             Value("channel", 1, choices=CHANNELS)),
     minutes=6,
 )

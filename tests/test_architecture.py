@@ -45,8 +45,8 @@ NOTHING_TO_TEACH = {"Appearance: Local Shading", "Contributors"}
 # The first slide of each part of the deck, and how many of its slides no step teaches yet: the numbers only go down
 PARTS = {
     "Basic Concepts": 0, "Basic Radiometric Quantities (1)": 0, "Light Sources": 0, "Units for Lighting - Watts": 0,
-    "BRDF – The Reflectance Equation (1)": 27, "The Torrance – Sparrow Microfacet Model (1)": 0,
-    "Cook – Torrance – Fresnel Term (1)": 0, "Cook – Torrance – Geometric Term (1)": 7,
+    "BRDF – The Reflectance Equation (1)": 0, "The Torrance – Sparrow Microfacet Model (1)": 0,
+    "Cook – Torrance – Fresnel Term (1)": 0, "Cook – Torrance – Geometric Term (1)": 0,
     "Cook Torrance – Comparison (1)": 6,
 }
 

@@ -8,14 +8,20 @@ import pytest
 
 from app import badges, catalog, furnace
 from app.badges import NAMES, check, told
+from app.export import gallery, target
+from app.export.page import page
 from app.export.still import still
 from app.inspection import inspect, words
 from app.lesson import Model, Term
 from app.optics.lambert import brdf_lambert
+from app.optics.weak_furnace import albedo_without_g
 from app.problem import Usage
 from app.session import Session
 from app.state import defaults
+from app.terms import vector
 from app.theme import THEMES, colour
+from app.validation import validate
+from tests import small_lesson
 from tests.small_lesson import model_lesson
 
 PI = np.pi
@@ -85,7 +91,11 @@ TABLE = {  # a reflectance, what is said with it, and what is red: badge -> wors
     "Lambert, negative": (lambert(-0.1), {}, {"non_negative": (-0.1 / PI, 1e-12, None)}),
     "Phong's lobe, normalised": (phong(20), {}, {}),
     "Phong's lobe, very narrow": (phong(1e7), {}, {}),
-    "Phong, 1977": (phong(20, 1.0), {"shading": True}, {"reciprocal": (0.93, 0.05, None)}),
+    "Phong, 1977": (phong(20, 1.0), {"shading": True}, {"reciprocal": (0.93, 0.05, None),
+                                                        "energy": (3.028, 0.01, {"theta_l": 89.5})}),
+    "divided by n.l": (lambda n, l, v: lit(0.1 / np.maximum(l[..., 2], 1e-300), l, v), {},
+                       {"reciprocal": None, "energy": (0.1 * PI / math.cos(math.radians(89.5)), 0.03,
+                                                       {"theta_l": 89.5})}),
     "Phong, 1977, broad": (phong(0, 1.0), {"shading": True},
                            {"reciprocal": (0.93, 0.06, None), "energy": (2 * PI, 1e-3, {"theta_v": 0})}),
     "Blinn-Phong": (blinn(20), {}, {}),
@@ -123,6 +133,16 @@ def test_badges_are_green_and_red_where_theory_says(name):
         if at is not None:
             assert angles_of(found[badge]) == pytest.approx(at)
     json.dumps(badges.as_json(found), allow_nan=False)
+
+
+def test_light_is_made_at_grazing_incidence_by_phong_s_formula():
+    """int (r.v)^e n.v dw / n.l by many plain cells around r, those below the horizon left out."""
+    exponent, theta_l = 20, math.radians(89.5)
+    t, s = (np.arange(4000) + 0.5)[:, None] / 4000 * PI / 2, (np.arange(2000) + 0.5) / 2000 * PI
+    n_dot_v = np.maximum(math.cos(theta_l) * np.cos(t) + math.sin(theta_l) * np.sin(t) * np.cos(s), 0)
+    flux = 2 * np.sum(np.cos(t) ** exponent * n_dot_v * np.sin(t)) * (PI / 2 / 4000) * (PI / 2000)
+    badge = check(phong(exponent, 1.0), shading=True)["energy"]
+    assert badge.worst == pytest.approx(flux / math.cos(theta_l), rel=2e-3)
 
 
 def test_the_pair_that_is_told_is_not_reciprocal():
@@ -194,6 +214,9 @@ TWINS = {  # the course's own: arguments, and what is red with its worst value; 
     "brdf_eon": ({"rho": 1.0, "roughness": 1.0}, {}),
     "brdf_oren_nayar": ({"rho": 1.0}, {"energy": 1 - 0.09 / (2 * 0.09 + 0.66) + 0.5 * 0.45 * 0.09 / (0.09 + 0.09)}),
 }
+GEOMETRY = {  # the geometry term of brdf_geometry -> which badge is red, and its worst value
+    1: {}, 2: {}, 3: {}, 0: {"energy": None},
+}
 ORDINARY = {"k_d": 0.5, "k_s": 0.5, "f0": 1.0, "rho": 0.8, "sigma": 0.3}
 
 
@@ -204,6 +227,17 @@ def test_the_course_s_models_are_what_the_lessons_say(function):
     assert {name for name in NAMES if not found[name].ok} == set(red)
     if red.get("energy"):
         assert found["energy"].worst == pytest.approx(red["energy"], abs=2e-3)
+
+
+@pytest.mark.parametrize("geometry", GEOMETRY)
+@pytest.mark.parametrize("m", [0.1, 0.5, 1.0])
+def test_only_without_a_geometry_term_light_is_made(geometry, m):
+    """Worst at the lowest eye that is tried; the factor there is the twin's albedo."""
+    found = badges.of_model(Model("G", Term("brdf_geometry", {"geometry": geometry, "m": m})), ORDINARY)
+    assert {name for name in NAMES if not found[name].ok} == set(GEOMETRY[geometry])
+    if geometry == 0:
+        at = found["energy"].at["theta_v"]
+        assert at > 1.5 and found["energy"].worst == pytest.approx(float(albedo_without_g(at, m)), rel=2e-2)
 
 
 def test_what_a_badge_tells():
@@ -230,6 +264,16 @@ def test_a_step_stands_where_a_badge_points(tmp_path):
         session.stand({"theta_v": 0.0})
 
 
+def test_the_gallery_has_all_plots_and_badges(tmp_path, ctx):
+    found = catalog.step("small/open", model_lesson(tmp_path))
+    shown = gallery.rendered(found, target.make_folder(tmp_path / "out" / "pictures").parent, THEMES["dark"], scale=0.2)
+    assert not shown.fault
+    assert len(shown.plots) == 2 and all((tmp_path / "out" / file).is_file() for file in shown.plots)
+    text = page([(found.loaded, [shown])])
+    assert text.count('class="broken"') == 2 and text.count('class="kept"') == 8
+    assert 'title="It sends on 1.' in text
+
+
 def test_inspect_and_stills_have_the_badges(tmp_path, ctx):
     folder = model_lesson(tmp_path)
     found = catalog.step("small/open", folder)
@@ -240,3 +284,40 @@ def test_inspect_and_stills_have_the_badges(tmp_path, ctx):
     for name in ("v", "r"):
         wanted = np.round(255 * np.array(colour(name, THEMES["dark"])))
         assert (np.abs(picture[550:].astype(int) - wanted).max(-1) <= 3).sum() > 100, name
+
+
+@pytest.mark.parametrize(("old", "new", "sentence"), [
+    ('Term("brdf_phong")', 'Term("f_schlick")', "f_schlick is neither a brdf_ nor a shading_."),
+    ('Term("brdf_phong")', 'Term("brdf_eon_at")', "brdf_eon_at takes no l."),
+    ('Term("brdf_phong")', 'Term("brdf_fong")', "there is no function brdf_fong. Did you mean "),
+    ('Term("brdf_phong")', 'Term("brdf_phong", {"k_s": "gloss"})', "gloss of brdf_phong is neither given nor a value."),
+])
+def test_a_wrong_model_is_told_with_its_line(old, new, sentence, tmp_path):
+    folder = model_lesson(tmp_path)
+    file = folder / "ch01_small.py"
+    file.write_text(file.read_text("utf-8").replace(old, new), "utf-8")
+    catalog.forget()
+    (loaded,) = catalog.chapters(folder)
+    found = [fault for fault in validate(loaded) if sentence in fault]
+    assert found and found[0].startswith(f"lessons/ch01_small.py, line {small_lesson.line(folder, new)}: ")
+
+
+def test_a_plot_of_models_needs_some(tmp_path):
+    curves = 'Curves("Cone", "half_angle", (Curve("cone", Term("solid_angle_cone")),), "sr")'
+    folder = small_lesson.write(tmp_path, (f"plot={curves}", 'plot=Lobes("Lonely")'))
+    (loaded,) = catalog.chapters(folder)
+    assert any("the plot 'Lonely' shows models, and neither it nor the step has any." in f for f in validate(loaded))
+
+
+def test_vectors_follow_from_the_angles(tmp_path):
+    """n, l, v and h are no values; a scene that asks for them is told what to do."""
+    found = catalog.step("small/open", model_lesson(tmp_path))
+    assert not {"n", "l", "v", "h"} & set(found.values)
+    values = {"theta_l": 0.7, "phi": 2.0, "theta_v": 0.3}
+    l, v, h = (vector(name, values) for name in ("l", "v", "h"))
+    assert l == pytest.approx([math.sin(0.7) * math.cos(2), math.sin(0.7) * math.sin(2), math.cos(0.7)])
+    assert v == pytest.approx([math.sin(0.3), 0, math.cos(0.3)])
+    assert h == pytest.approx((l + v) / np.linalg.norm(l + v))
+    folder = small_lesson.write(tmp_path, ("uniform int samples;", "uniform int samples;\nuniform vec3 l;"))
+    (loaded,) = catalog.chapters(folder)
+    assert "light_direction(theta_l, phi)" in validate(loaded)[0]

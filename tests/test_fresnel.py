@@ -1,6 +1,7 @@
 """The Fresnel term against complex arithmetic, limits and identities; the tables against CIE's and against the deck."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from scipy.integrate import quad
 
 from app.optics import fresnel as f
 from app.optics import interface, materials
+from lessons.ch06_fresnel import SCHLICK
 
 C = np.linspace(0.0, 1.0, 101)
 ETAS = np.array([0.4, 0.6667, 1.0001, 1.333, 1.5, 2.4175, 9.0])
@@ -222,3 +224,12 @@ def test_the_numbers_in_the_words():
     assert np.degrees(f.critical_angle(1 / 1.5)) == pytest.approx(41.8, abs=0.05)
     assert f.eta_from_f0(0.17) == pytest.approx(2.40, abs=0.005)
     assert np.degrees(f.brewster_angle(1.333)) == pytest.approx(53.1, abs=0.05)
+
+
+def test_the_scenes_numbers_of_the_metals_are_the_twins():
+    """Schlick's scene has F at 1 and 1/7 as numbers: to compute them at each pixel takes longer than all else."""
+    for name, cosine in (("F0", 1.0), ("F82", 1 / 7)):
+        rows = re.search(rf"const vec3 {name}\[5\] = vec3\[5\]\((.*?)\);", SCHLICK.scene.glsl, re.DOTALL)
+        assert rows
+        written = np.array(re.findall(r"[\d.]{4,}", rows[1]), float).reshape(5, 3)
+        assert np.allclose(written, materials.f_material(cosine, np.arange(5, 10)), rtol=5e-7, atol=0)

@@ -157,3 +157,32 @@ def test_smith_albedos_of_the_reference():
     """optics.md, section 6: Beckmann, m = 1, 85 degrees."""
     assert float(weak_furnace.albedo_smith(np.radians(85), 1.0, 2)) == pytest.approx(0.9055, abs=6e-5)
     assert float(weak_furnace.albedo_smith(np.radians(85), 1.0, 3)) == pytest.approx(0.9587, abs=6e-5)
+
+
+@pytest.mark.parametrize("geometry", range(4))
+def test_the_albedo_is_the_integral_of_the_brdf(geometry):
+    """A lobe with any geometry term, summed over the hemisphere in l itself."""
+    from app.optics.geometry_choice import albedo_geometry, brdf_geometry
+    from app.optics.spherical import direction
+
+    mu, phi = np.meshgrid((np.arange(800) + 0.5) / 800, (np.arange(400) + 0.5) * np.pi / 400)
+    light = direction(np.arccos(mu), phi)
+    for theta_v, m in ((0.4, 0.5), (1.2, 0.5), (1.4, 1.0)):
+        f = brdf_geometry(np.array([0.0, 0.0, 1.0]), light, direction(theta_v, 0.0), m, 1.0, geometry)
+        albedo = float(np.sum(f * mu) * 2 * np.pi / mu.size)
+        assert float(albedo_geometry(theta_v, m, geometry)) == pytest.approx(albedo, rel=2e-3)
+
+
+def test_the_chosen_term_is_the_named_one():
+    from app.optics.cook_torrance import brdf_cook_torrance
+    from app.optics.geometry_choice import brdf_geometry, geometry_at
+    from app.optics.spherical import direction
+
+    theta_l, theta_v, phi = ANGLES
+    n, light, eye = np.array([0.0, 0.0, 1.0]), direction(theta_l, phi), direction(theta_v, 0.0)
+    np.testing.assert_allclose(brdf_geometry(n, light, eye, 0.4, 0.04, 1), brdf_cook_torrance(n, light, eye, 0.4, 0.04),
+                               rtol=1e-9)
+    without = brdf_geometry(n, light, eye, 0.4, 0.04, 0)
+    for geometry in (1, 2, 3):
+        shared = geometry_at(theta_l, theta_v, phi, 0.4, geometry)
+        np.testing.assert_allclose(brdf_geometry(n, light, eye, 0.4, 0.04, geometry), without * shared, rtol=1e-9)

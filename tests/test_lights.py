@@ -9,12 +9,21 @@ from scipy.integrate import dblquad, quad
 from app import catalog
 from app.grade.checks import run
 from app.inspection import inspect
-from app.optics import area_light, distribution, light_samples, panel_samples, punctual, spherical_rectangle, spot
+from app.optics import (
+    area_light,
+    distribution,
+    light_samples,
+    light_shape,
+    punctual,
+    shape_samples,
+    spherical_rectangle,
+    spot,
+)
 from app.optics import filter as filters
-from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics import solid_angle as solid_angles
 
-PANEL = {"radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4, "panel_depth": 0.9,
-         "panel_tilt": -0.3}
+PANEL = {"light_shape": 0, "radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4,
+         "panel_depth": 0.9, "panel_tilt": -0.3}
 FLAT = PANEL | {"light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0, "panel_depth": 2.0,
                 "panel_tilt": 0.0}
 HERE = (0.1, -0.4, 0.0)
@@ -40,16 +49,16 @@ def test_flux_zero_and_negative():
     assert distribution.radiant_intensity_of(0.0, 2, 4.0, 0.3) == 0.0
     assert distribution.radiant_intensity_of(-2.0, 1, 1.0, 0.3) < 0
     assert spot.spot_intensity(0.0, 0.2, 0.4) == 0.0 and spot.spot_intensity(-1.0, 0.2, 0.4) < 0
-    assert area_light.radiance_panel(-1.0, 1.0, 1.0) < 0
+    assert light_shape.light_radiance(0, -1.0, 0, 1.0, 1.0) < 0
 
 
 def test_lights_without_area():
-    assert area_light.radiance_panel(1.0, 0.0, 1.0) == np.inf and area_light.radiance_sphere(1.0, 0.0) == np.inf
-    assert area_light.radiance_disk(1.0, 0.0) == np.inf
+    assert area_light.radiance_sphere(1.0, 0.0) == np.inf
+    assert np.all(light_shape.light_radiance(0, 1.0, np.arange(4), 0.0, 1.0) == np.inf)
     flat = PANEL | {"panel_width": 0.0}
-    assert area_light.irradiance_panel(**flat, position=HERE) == 0.0
+    assert light_shape.irradiance_light(**flat, position=HERE) == 0.0
     for kind in KINDS.values():
-        assert panel_samples.irradiance_panel_sampled(**flat, position=HERE, sampling=kind, level=2, seed=1) == 0.0
+        assert shape_samples.irradiance_light_sampled(**flat, position=HERE, sampling=kind, level=2, seed=1) == 0.0
 
 
 def test_a_lamp_in_the_floor_is_cut_at_the_horizon():
@@ -57,9 +66,9 @@ def test_a_lamp_in_the_floor_is_cut_at_the_horizon():
     assert inside == pytest.approx(3.0 * np.pi), "from inside it is everywhere"
     upright = PANEL | {"panel_tilt": -np.pi / 2, "light_height": 0.0, "light_y": 1.0}
     above = upright | {"light_height": PANEL["panel_depth"] / 4, "panel_depth": PANEL["panel_depth"] / 2}
-    cut, whole = (area_light.irradiance_panel(**panel, position=HERE) for panel in (upright, above))
+    cut, whole = (light_shape.irradiance_light(**panel, position=HERE) for panel in (upright, above))
     assert cut == pytest.approx(whole, rel=1e-12), "only the upper half counts"
-    assert area_light.irradiance_panel(**upright | {"light_height": -1.0}, position=HERE) == 0.0
+    assert light_shape.irradiance_light(**upright | {"light_height": -1.0}, position=HERE) == 0.0
 
 
 def test_directional_is_the_limit_of_positional():
@@ -127,9 +136,28 @@ def test_the_printed_spot_makes_negative_light():
     assert found[1] == pytest.approx(spot.spot_linear(np.radians(25), hotspot, falloff))
 
 
+def test_three_ways_to_misread_the_spot():
+    """D4 of the optics reference: 3.8 times the flux by full angles; no light with the other sign."""
+    hotspot, falloff = np.radians([20.0, 30.0])
+    flux = [spot.spot_read_flux(100.0, hotspot, falloff, reading) for reading in range(3)]
+    assert flux[0] == pytest.approx(61, abs=0.5) and flux[1] / flux[0] == pytest.approx(3.8, abs=0.05) and flux[2] == 0
+    ahead = np.linspace(0, np.pi / 2, 91)
+    for edge in (0, 1):
+        assert np.all(spot.spot_read(ahead, hotspot, falloff, 0.9, edge, 2) == 0)
+        assert spot.spot_read(np.pi, hotspot, falloff, 0.9, edge, 2) == 1, "it is behind the lamp"
+    assert np.all(spot.spot_read(ahead, hotspot, falloff, np.pi / 2, 2, 2) == 0), "none to a right angle"
+    assert np.all(spot.spot_read(ahead[20:], hotspot, falloff, np.radians(170.0), 2, 2) < 0), "beyond: negative light"
+    for reading, wide in ((0, 1.0), (1, 2.0)):
+        def ring(a, reading=reading):
+            return 200 * np.pi * np.sin(a) * spot.spot_read(a, hotspot, falloff, 0.9, 0, reading)
+
+        total, _ = quad(ring, 0, 1.5, points=[wide * hotspot, wide * falloff])
+        assert total == pytest.approx(flux[reading], rel=1e-8)
+
+
 # --- area lights -----------------------------------------------------------------------------------------------------
 def by_area(position, cosine: bool = True) -> float:
-    panel = {k: v for k, v in PANEL.items() if k != "radiance"}
+    panel = {k: v for k, v in PANEL.items() if k not in ("radiance", "light_shape")}
     out = np.array([0, np.sin(PANEL["panel_tilt"]), -np.cos(PANEL["panel_tilt"])])
 
     def share(t, s):
@@ -142,15 +170,35 @@ def by_area(position, cosine: bool = True) -> float:
 
 @pytest.mark.parametrize("position", [HERE, (0.0, 0.0, 0.0), (1.5, 1.0, 0.0)])
 def test_the_panel_by_area_integration(position):
-    exact = area_light.irradiance_panel(**PANEL, position=position)
+    exact = light_shape.irradiance_light(**PANEL, position=position)
     assert exact == pytest.approx(by_area(np.array(position)), rel=1e-8)
 
 
-def test_flux_radiance_and_exitance_convert():
-    assert area_light.radiant_exitance_panel(12.0, 2.0, 3.0) == pytest.approx(
-        np.pi * area_light.radiance_panel(12.0, 2.0, 3.0)) == pytest.approx(2.0)
-    assert area_light.radiance_disk(np.pi**2, 1.0) == pytest.approx(1.0)
-    assert area_light.radiance_sphere(4 * np.pi**2, 1.0) == pytest.approx(1.0)
+@pytest.mark.parametrize("kind", range(4))
+def test_flux_radiance_and_exitance_convert(kind):
+    """Any one of the three gives the others, and back; the flux is the radiance over area and half space."""
+    size = {"light_shape": kind, "panel_width": 2.0, "panel_depth": 3.0}
+    number = light_shape.light_flux, light_shape.light_exitance, light_shape.light_radiance
+    flux, exitance, radiance = (f(0, 12.0, **size) for f in number)
+    for given, amount in enumerate((flux, exitance, radiance)):
+        assert [f(given, amount, **size) for f in number] == pytest.approx([12.0, exitance, radiance], rel=1e-15)
+    area = {0: 6.0, 1: np.pi, 2: 4 * np.pi, 3: 0.68 * 6.0}[kind]
+    assert light_shape.light_area(**size) == pytest.approx(area)
+    half_space, _ = quad(lambda a: 2 * np.pi * np.sin(a) * np.cos(a), 0, np.pi / 2)
+    assert flux == pytest.approx(radiance * area * half_space)
+    if kind == 2:
+        assert radiance == pytest.approx(area_light.radiance_sphere(12.0, 1.0))
+
+
+def test_the_pentagon_has_the_area_it_is_said_to_have():
+    x, y = area_light.outline_at(5, np.arange(6)).T
+    assert np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]) / 2 == pytest.approx(0.68)
+    at = light_samples.grid_sample(np.arange(4**9), 9)
+    assert shape_samples.shape_holds(3, at[:, 0], at[:, 1]).mean() == pytest.approx(0.68, abs=1e-3)
+    assert shape_samples.shape_holds(1, at[:, 0], at[:, 1]).mean() == pytest.approx(np.pi / 4, abs=1e-3)
+    corners = area_light.outline_at(5, np.arange(5))
+    for scale, inside in ((0.999, 1.0), (1.001, 0.0)):
+        assert np.all(shape_samples.shape_holds(3, *(0.5 + scale * (corners - 0.5)).T) == inside)
 
 
 def test_a_sphere_is_a_point_and_a_disk_is_one_at_five_times():
@@ -163,17 +211,17 @@ def test_a_sphere_is_a_point_and_a_disk_is_one_at_five_times():
 
 def test_the_emitters_cosine_is_easily_forgotten():
     """D15 of the optics reference: 1.42 times for a 2 x 2 panel at height 0.5."""
-    right = area_light.irradiance_panel(**FLAT, position=(0.0, 0.0, 0.0))
-    wrong = panel_samples.irradiance_panel_without_cosine(**FLAT, position=(0.0, 0.0, 0.0), level=6)
+    right = light_shape.irradiance_light(**FLAT, position=(0.0, 0.0, 0.0))
+    wrong = shape_samples.irradiance_light_without_cosine(**FLAT, position=(0.0, 0.0, 0.0), level=6)
     assert wrong / right == pytest.approx(1.42, abs=0.005)
-    centre = area_light.irradiance_panel_centre(**FLAT, position=(0.0, 0.0, 0.0))
+    centre = shape_samples.irradiance_light_sampled(**FLAT, position=(0.0, 0.0, 0.0), sampling=0, level=0, seed=0)
     assert centre / right - 1 == pytest.approx(5.1, abs=0.05)
 
 
 def test_the_cells_of_a_spherical_rectangle_are_equal():
     """Each of 8 x 8 cells in (s, t) takes a 64th of the solid angle: the area of its image on the sphere."""
     x0, x1, y0, y1, d = -0.3, 1.7, 0.2, 0.9, 0.4
-    total = solid_angle_rectangle_off_axis(x0, x1, y0, y1, d)
+    total = solid_angles.solid_angle_rectangle_off_axis(x0, x1, y0, y1, d)
     s, t = np.meshgrid((np.arange(8) + 0.5) / 8, (np.arange(8) + 0.5) / 8)
     step = 1e-5
 
@@ -212,9 +260,9 @@ def test_weights_of_a_rule_sum_to_one(level):
 
 
 def rms(kind: str, level: int, seeds: int = 24) -> float:
-    exact = area_light.irradiance_panel(**PANEL, position=HERE)
+    exact = light_shape.irradiance_light(**PANEL, position=HERE)
     seed = 1000 + 17 * np.arange(seeds)
-    found = panel_samples.irradiance_panel_sampled(**PANEL, position=HERE, sampling=KINDS[kind], level=level, seed=seed)
+    found = shape_samples.irradiance_light_sampled(**PANEL, position=HERE, sampling=KINDS[kind], level=level, seed=seed)
     return float(np.sqrt(np.mean((found / exact - 1) ** 2)))
 
 
@@ -280,7 +328,7 @@ def test_filters_at_their_ends():
 
 
 # --- scenes ----------------------------------------------------------------------------------------------------------
-AREA = {"sources", "area_sampled", "area_exact", "area_work"}
+AREA = {"sources", "area_units", "area_sampled", "area_exact", "area_work"}
 
 
 @pytest.mark.parametrize("found", [f for f in catalog.steps() if f.id.startswith("lights/")], ids=lambda f: f.id)
@@ -289,4 +337,5 @@ def test_scenes_without_area_lights_compile_none_of_it(found):
     area = found.step.name in AREA
     assert ("area_light" in files) == area
     sampled = found.step.name in {"area_sampled", "area_work"}
-    assert ("panel_samples" in files) == ("spherical_rectangle" in files) == sampled
+    assert ("shape_samples" in files) == ("light_samples" in files) == ("spherical_rectangle" in files) == sampled
+    assert ("light_shape" in files) == (area and found.step.name != "sources")

@@ -1,7 +1,6 @@
 """Plots: what the pictures show, and the process that draws them."""
 
 import math
-import os
 import subprocess
 import sys
 import threading
@@ -12,12 +11,15 @@ import pytest
 
 from app.lesson import Camera, Curve, Curves, Faces, Figure, ImageSlice, Lobes, Model, Sheet, Slice, Term
 from app.plots import PlotDied, PlotProcess, picture
+from app.plots.curves import colour_of
 from app.plots.dashes import along, dashed
+from app.plots.look import Look
 from app.plots.models import Scale, lit
-from app.plots.sweep import Sweep
-from app.plots.ticks import Axis, axis_title, linear_ticks, nice, number, plain
+from app.plots.sweep import Sweep, linear_frame
+from app.plots.ticks import Axis, linear_ticks, nice, number
 from app.plots.words import Entry, header, wrapped
 from app.problem import Problem
+from app.spoken import axis_title, plain
 from app.terms import evaluate
 from app.theme import THEMES, colour, rgb
 
@@ -253,10 +255,26 @@ def test_numbers_and_symbols_in_words():
     assert [number(x) for x in (0, -0.25, 1e5, -2e-7)] == ["0", "−0.25", "10⁵", "−2·10⁻⁷"]
     assert plain(r"\Delta\theta") == "Δθ"
     assert plain("r_0") == "r₀"
+    assert plain(r"\theta_v") == "θv"
+    assert axis_title("theta_v") == "eye's angle θv in °"
+    assert axis_title("n_dot_l") == "n·l"
     assert axis_title("half_angle") == "half angle θ in °"
     assert axis_title("distance") == "distance r in m"
     assert nice(0.31) == pytest.approx(0.4)
     assert linear_ticks(1.0, 1.0, 5) == [1.0]
+
+
+def test_an_axis_ends_where_the_curves_end():
+    """A share that reaches 1 has an axis to 1; gold's 1.034 one to 1.2."""
+    assert [linear_frame(np.array([0.0, most])).high for most in (1.0, 1.0346, 0.31)] == pytest.approx([1.0, 1.2, 0.4])
+    assert (linear_frame(np.array([-1.0, 2.0])).low, linear_frame(np.array([-3.0, -1.0])).low) == (-1.0, -3.0)
+
+
+def test_a_curve_may_have_its_own_colour(plots):
+    look = Look(THEMES["projector"], (420, 420))
+    cone = Curve("cone", Term("solid_angle_cone"))
+    assert colour_of(cone, look) == look.colour("exact") != colour_of(replace(cone, colour="#C99A1E"), look)
+    assert np.allclose(colour_of(replace(cone, colour="#C99A1E"), replace(look, theme=THEMES["light"])), rgb("#C99A1E"))
 
 
 def test_a_legend_wraps_into_the_width():
@@ -383,7 +401,6 @@ def test_a_still_is_drawn_in_the_kept_process():
     assert (near_by != first).any()
     assert (picture(AGAINST, PATCH, (300, 240), LIGHT) == first).all(), "whatever was drawn before"
     assert (picture(AGAINST, PATCH, (300, 240), LIGHT, steady=True) == first).all()
-    assert "pyvista" not in sys.modules or os.environ.get("PYTEST_XDIST_WORKER")
     with pytest.raises(Problem, match="Mistyped"):
         picture(Curves("Mistyped", "distance", (Curve("", Term("nothing")),), "sr"), PATCH, (300, 240), LIGHT)
 
@@ -463,3 +480,11 @@ def test_a_scale_keeps_still_and_shows_lobes_of_all_sizes():
 def test_a_pair_outside_the_plane_of_a_slice_is_told(plots):
     image = drawn(plots, SLICES[1], LIGHT_AND_EYE | {"phi": 2.0})
     assert near(image, rgb("#FF4FD8"), 2).sum() > 100, "the box of the notice"
+
+
+def test_long_names_of_models_are_written_smaller(plots):
+    long = Lobes("Long", (replace(MATT, label="a matt surface with a long name"),))
+    image = drawn(plots, long, LIGHT_AND_EYE, size=(345, 345), theme=PROJECTOR)
+    assert near(image, rgb(PROJECTOR.background), 0)[:, -3:].all()
+    row = near(image[-40:], rgb(PROJECTOR.foreground), 40).any(0)
+    assert np.flatnonzero(row).max() > 250, "the number at the end is there"

@@ -1,5 +1,7 @@
 """Radiometry and photometry by identities and by second methods; the room against followed rays and pyrender."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.integrate import dblquad, quad
@@ -272,6 +274,34 @@ def test_the_second_renderer_is_local_too():
     row = plain[48, [round((x - 1.2 + half) / (2 * half) * 96) for x in (0.6, 1.2, 1.8)]]
     ours = twin("irradiance_floor_local")(np.array([0.6, 1.2, 1.8]), 0.0, **ROOM)
     assert row / row[1] == pytest.approx(ours / ours[1], rel=0.06)
+
+
+def test_the_second_renderer_casts_the_same_shadow():
+    """pyrender's spot light has a shadow map: with and without it, floor and ball, against our twins pixel by pixel."""
+    from app.lesson import Camera
+    from app.meshes import built_in
+    from app.reference import Light, Shot, linear, render
+
+    lamp = np.array([ROOM["lamp_x"], 0.0, ROOM["lamp_height"]])
+    floor = np.array([[[0, -1, 0], [2.4, -1, 0], [2.4, 1, 0]], [[0, -1, 0], [2.4, 1, 0], [0, 1, 0]]], float)
+    mesh = np.concatenate([floor, BALL + RADIUS * np.asarray(built_in("sphere").triangles)])
+    spot = Light("spot", tuple(lamp), ROOM["radiant_intensity"] / 4, to=(0.9, 0.0, 0.0), half_angle=0.6)
+    view = Camera(azimuth=-90, elevation=89.9, distance=8, target=(0.9, 0.0, 0.0), field_of_view=10.0)
+    size = 192
+    shot = Shot(mesh, light=spot, camera=view, size=(size, size), two_sided=False)
+    without, shaded = render(shot, replace(shot, shadows=True))
+    half = 8 * np.tan(np.radians(5.0)) * ((np.arange(size) + 0.5) / size * 2 - 1)
+    x, y = np.meshgrid(0.9 + half, -half)
+    way = np.stack([x, y, 0 * x], -1) - lamp
+    axis = np.array([0.9, 0.0, 0.0]) - lamp
+    cosine = way @ axis / np.linalg.norm(way, axis=-1) / np.linalg.norm(axis)
+    seen = (without.depth > 7.9) & (np.abs(y) < 0.95) & (x > 0.05) & (cosine > np.cos(0.55))
+    plain, dark = (linear(picture.rgb)[..., 0] for picture in (without, shaded))
+    theirs, ours = dark < 0.5 * plain, twin("irradiance_floor_shadowed")(x, y, **ROOM) == 0
+    assert seen.sum() > 8000 and 0.1 < ours[seen].mean() < 0.5
+    assert np.mean(theirs[seen] != ours[seen]) < 0.01, "they differ at the shadow's rim only"
+    ratio = (plain / twin("irradiance_floor_local")(x, y, **ROOM))[seen]
+    assert np.mean(np.abs(ratio / np.median(ratio) - 1) > 0.06) < 0.005, "and without it, as our local picture"
 
 
 def test_a_closed_room_adds_up():

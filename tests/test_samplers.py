@@ -16,7 +16,8 @@ FACETS = {  # a sampler of facets, its distribution of the slope, the density of
 }
 CASES = [(name, width) for name in FACETS for width in WIDTHS]
 LIGHT = [(name, width, theta) for name in FACETS for width in (1.0, 0.3, 0.1) for theta in (0.0, 0.8, 1.3)]
-LEVEL = 1 - (1 - 0.01) ** (1 / (len(CASES) + len(LIGHT)))  # Sidak: 1 in 100 for all of them
+LOBES = 0.0, 5.0, 80.0, 3000.0, 1e7  # exponents
+LEVEL = 1 - (1 - 0.01) ** (1 / (len(CASES) + len(LIGHT) + 8))  # Sidak: 1 in 100 for all of them
 
 
 def chi_squared(found: np.ndarray, expected: np.ndarray) -> float:
@@ -83,6 +84,18 @@ def test_facets_are_drawn_as_their_distribution_says(name, width):
 def test_light_is_drawn_as_its_density_says(name, width, theta_v):
     density = twin(FACETS[name][1])
     assert by_light(twin(name)(*random(2), width), lambda n, l, v: density(n, l, v, width), theta_v) > LEVEL
+
+
+@pytest.mark.parametrize("exponent", LOBES)
+def test_facets_of_the_cosine_lobe(exponent):
+    h, lobe = twin("sample_blinn_phong")(*random(1), exponent), twin("d_blinn_phong_slope")
+    assert by_facets(h, lambda slope2, _: lobe(slope2, exponent), np.sqrt(2 / (exponent + 2))) > LEVEL
+
+
+@pytest.mark.parametrize(("exponent", "theta_v"), [(0.0, 0.4), (5.0, 1.2), (80.0, 0.8)])
+def test_light_of_the_cosine_lobe(exponent, theta_v):
+    h, density = twin("sample_blinn_phong")(*random(2), exponent), twin("pdf_blinn_phong")
+    assert by_light(h, lambda n, l, v: density(n, l, v, exponent), theta_v) > LEVEL
 
 
 WRONG = {  # a mistake in a sampler

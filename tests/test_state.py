@@ -125,6 +125,14 @@ def test_a_wrong_string_is_told_in_a_sentence(folder, text, sentence):
     assert sentence in str(told.value)
 
 
+def test_a_step_offers_some_of_the_choices():
+    """The metals are the last five of ten materials: by name or number, the others are none of them."""
+    assert parse("fresnel/metals?material=iron").values == parse("fresnel/metals?material=8").values
+    for text, sentence in (("water", "takes one of gold, silver, copper, iron, aluminium."), ("4", "from 5 to 9")):
+        with pytest.raises(Usage, match=sentence):
+            parse(f"fresnel/metals?material={text}")
+
+
 def test_units_stand_in_the_sentence():
     with pytest.raises(Usage, match=r"takes distance from 0\.5 to 5 m"):
         parse("solid_angle/patch?distance=9")

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -15,9 +16,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app import VERSION
 from app.catalog import LoadedStep, chapters, step, steps
 from app.export import corners, gallery, ink, labels, target
-from app.export.still import data, framed, png, reach, run, shot, still
+from app.export.png import png
+from app.export.still import data, file_of, framed, reach, run, shot, still
 from app.export.strip import strip
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
@@ -184,7 +187,7 @@ def test_a_state_string_and_its_view_are_taken(tmp_path, ctx):
 
 def test_the_same_still_is_the_same_file(tmp_path, ctx):
     values = defaults(PATCH)
-    first, second = (png(still(PATCH, values, None, SIZE), PATCH, write(PATCH, values)) for _ in range(2))
+    first, second = (file_of(still(PATCH, values, None, SIZE), PATCH, write(PATCH, values)) for _ in range(2))
     assert first == second
 
 
@@ -367,3 +370,19 @@ def test_the_bar_counts_the_steps_on_a_terminal(monkeypatch):
         for title in ("one", "two", ""):
             advance(title)
     assert "2/2" in out.getvalue()
+
+
+# --- the file --------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("size", [(1, 1), (1, 7), (64, 3), (257, 130)])
+def test_a_png_is_read_back_as_it_was(size):
+    """By another reader than ours: every pixel, and what stands in its text chunks, in any script."""
+    pixels = np.random.default_rng(3).integers(0, 256, (*size[::-1], 3), np.uint8)
+    words = {"Title": "Schlick’s fit, θ = 82°", "halfway:state": "fresnel/schlick?theta=82"}
+    found = Image.open(io.BytesIO(png(Image.fromarray(pixels), words)))
+    found.load()
+    np.testing.assert_array_equal(np.asarray(found), pixels)
+    assert (found.mode, found.text) == ("RGB", words)
+
+
+def test_the_version_is_the_projects():
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"] == VERSION

@@ -129,17 +129,23 @@ def with_an_end(a: dict, rng) -> dict:
         k: a[k] for k in ("y0", "y1", "distance")}
 
 
-def not_along_the_panel(a: dict, rng) -> dict:
-    """Even in solid angle only where no part of the panel is seen more than ten times as far aside as in front."""
+def not_along_the_light(a: dict, rng) -> dict:
+    """Even in solid angle only where no part of a flat light is seen more than ten times as far aside as in front, and
+    none where a sample may fall on the rim of its shape: that is counted, below."""
     view = ("light_x", "light_y", "light_height", "panel_tilt", "position")
     seen = np.abs(optics.twin("panel_view")(**{k: a[k] for k in view}))
     aside = np.maximum(seen[:, 0] + a["panel_width"], seen[:, 1] + a["panel_depth"])
-    a = a | {"sampling": np.where(aside > 10 * seen[:, 2], a["sampling"] % 4, a["sampling"])}
+    by_area = (a["light_shape"] != 2) & ((aside > 10 * seen[:, 2]) | (a["light_shape"] > 0))
+    a = a | {"sampling": np.where(by_area, a["sampling"] % 4, a["sampling"])}
     return a | {"index": a["index"] % 4 ** a["level"]} if "index" in a else a
 
 
 def of_its_level(a: dict, rng) -> dict:
     return a | {"index": a["index"] % 4 ** a["level"]}
+
+
+def of_its_rule(a: dict, rng) -> dict:
+    return a | {"index": a["index"] % 2 ** a["level"]}
 
 
 def with_a_normal(a: dict, rng) -> dict:
@@ -203,7 +209,14 @@ def of_the_facets(a: dict, rng) -> dict:
     return a | {"index": a["index"] % a["facets"]}
 
 
+def a_lamp_above(a: dict, rng) -> dict:
+    """A cone of some width that the horizon does not cut."""
+    half = np.clip(a["half_angle"], 1e-3, 1.2)
+    return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
+
+
 JOINT = {  # arguments that belong together
+    "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
                      "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
                      "slope_squared"), facing),
@@ -215,14 +228,17 @@ JOINT = {  # arguments that belong together
     "facet_normal": of_the_facets,
     "facet_slope": of_the_facets,
     "fibonacci_direction": below_samples,
+    "hemisphere_meter": no_narrower_than_the_nodes,
     "ies_ring_flux": between_the_poles,
+    "gauss_node": of_its_rule,
     "gauss_sample": of_its_level,
     "highlight_flux": not_along_the_surface,
     "grid_sample": of_its_level,
     "irradiance_at": with_a_normal,
-    "irradiance_panel_sampled": not_along_the_panel,
+    "irradiance_light_sampled": not_along_the_light,
+    "light_piece": not_along_the_light,
     "light_sample": of_its_level,
-    "panel_sample": not_along_the_panel,
+    "paint_measured": a_lamp_above,
     "stratified_sample": of_its_level,
     "meets_patch": unit,
     "radiance_sensor": opened,

@@ -8,13 +8,14 @@ from pathlib import Path
 
 from PIL import Image
 
-from app import prediction
+from app import VERSION, prediction
+from app.badges import of_model
 from app.catalog import Loaded, LoadedStep, chapters
 from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
-from app.export.still import data, known, luminaires, plotted, png, shot, version
+from app.export.still import data, file_of, known, luminaires, plotted, shot
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers
@@ -54,7 +55,7 @@ def gallery(folder: Path, theme: Theme = THEMES["dark"], found: tuple[Loaded, ..
         stopped = True
     listed = [(loaded, [done[f"{loaded.id}/{step.name}"] for step in loaded.chapter.steps
                         if f"{loaded.id}/{step.name}" in done]) for loaded in found]
-    note = f"Made by Halfway {version()}; {len(done)} of {len(todo)} steps."
+    note = f"Made by Halfway {VERSION}; {len(done)} of {len(todo)} steps."
     index = folder / "index.html"
     target.write(index, page(listed, note).encode("utf-8"))
     faults = [loaded.fault for loaded in found if loaded.fault]
@@ -78,7 +79,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
 
     def keep(picture: Image.Image, state: str, *words: str) -> str:
         name = f"{PICTURES}/{anchor(found.id, *words)}.png"
-        target.write(folder / name, png(picture, found, state))
+        target.write(folder / name, file_of(picture, found, state))
         return name
 
     def values() -> dict:
@@ -93,10 +94,13 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
         shown.scene = keep(shot(found, start, None, size, theme, ink), shown.state, "scene")
 
     def plot() -> None:
-        shown.plot = keep(plotted(found, start, sized(PLOT), theme), shown.state, "plot")
+        for i in range(len(found.step.plots)):
+            more = (str(i + 1),) if i else ()
+            shown.plots.append(keep(plotted(found, start, sized(PLOT), theme, i), shown.state, "plot", *more))
 
     def figures() -> None:
         shown.numbers = numbers(found.step, start, context())
+        shown.badges = {model.label: of_model(model, start) for model in found.step.models}
         shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"},
                                        **luminaires(found, prediction.truth_values(found)))
 

@@ -1,6 +1,5 @@
 """A luminaire's file on one page: polar curves, photometric solid, the room it lights, declared and emitted lumens."""
 
-from io import BytesIO
 from pathlib import Path
 
 from PIL import Image, ImageDraw
@@ -9,6 +8,7 @@ from app import plots
 from app.catalog import LoadedStep, steps
 from app.export import target
 from app.export.ink import Ink, fitted, length, write
+from app.export.png import png
 from app.export.polar import polar
 from app.export.still import known, shot
 from app.ies import Photometry
@@ -22,9 +22,7 @@ from app.theme import THEMES, Theme
 def save(found: Photometry, output: str | Path, theme: str = "dark", size: str = "1600x1000") -> None:
     path, pixels = target.picture_path(output), target.size_of(size)
     picture = report(found, pixels, THEMES[known("--theme", theme, tuple(THEMES))])
-    out = BytesIO()
-    picture.save(out, "PNG", compress_level=3)
-    target.write(path, out.getvalue())
+    target.write(path, png(picture))
 
 
 def report(found: Photometry, size: tuple[int, int], theme: Theme) -> Image.Image:

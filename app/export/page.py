@@ -5,6 +5,7 @@ from html import escape
 from pathlib import Path
 
 from app import prose
+from app.badges import SHORT, Badge, told
 from app.catalog import Loaded, LoadedStep
 from app.export.markup import Formulas, anchor, html, number
 from app.prediction import quantity
@@ -31,7 +32,8 @@ class Shown:
     found: LoadedStep
     state: str = ""
     scene: str = ""  # files, relative to the page
-    plot: str = ""
+    plots: list[str] = field(default_factory=list)
+    badges: dict[str, dict[str, Badge]] = field(default_factory=dict)  # of each model
     numbers: list[Number] = field(default_factory=list)
     tries: list[Try] = field(default_factory=list)
     truth: float | None = None
@@ -93,7 +95,7 @@ def section(one: Shown, of: int, formulas: Formulas) -> str:
 <p class="idea">{escape(step.idea)}</p>
 {fault}{figures(one)}<div class="columns">
 <div class="prose">{html(step.prose, formulas, lambda target: places.get(target, ""))}</div>
-<div>{numbers(one.numbers)}{ask(one)}
+<div>{numbers(one.numbers)}{badges(one.badges)}{ask(one)}
 <details class="notes"><summary>For the lecturer</summary>{html(step.notes, formulas)}</details></div>
 </div>
 {tries(one)}<div class="about">
@@ -112,10 +114,12 @@ def place(one: Shown, i: int) -> str:
 
 def figures(one: Shown) -> str:
     step = one.found.step
-    words = {one.scene: f"{step.title}. {step.idea}", one.plot: f"Plot: {step.plots[0].title}"}
+    words = {one.scene: f"{step.title}. {step.idea}"} | {
+        file: f"Plot: {plot.title}" for file, plot in zip(one.plots, step.plots, strict=False)}
     found = [f'<figure><img src="{escape(file)}" alt="{escape(words[file])}" loading="lazy"></figure>'
-             for file in (one.scene, one.plot) if file]
-    return f'<div class="pictures{" one" if len(found) == 1 else ""}">{"".join(found)}</div>\n' if found else ""
+             for file in (one.scene, *one.plots) if file]
+    kind = {1: " one", 2: ""}.get(len(found), " many")
+    return f'<div class="pictures{kind}">{"".join(found)}</div>\n' if found else ""
 
 
 def numbers(shown: list[Number]) -> str:
@@ -127,6 +131,16 @@ def numbers(shown: list[Number]) -> str:
                 f'<dd title="{escape(n.full_text)}">{number(n.text)}{error}{cost}</dd></div>')
 
     return f'<dl class="numbers">{"".join(map(one, shown))}</dl>' if shown else ""
+
+
+def badges(shown: dict[str, dict[str, Badge]]) -> str:
+    """What each model keeps and breaks; the worst value and its angles as a tool-tip."""
+    def one(name: str, badge: Badge) -> str:
+        mark, kind = ("✓", "kept") if badge.ok else ("✗", "broken")
+        return f'<span class="{kind}" title="{escape(told(name, badge))}">{mark} {escape(SHORT[name])}</span>'
+
+    return "".join(f'<p class="badges">{escape(label)} {"".join(one(*each) for each in found.items())}</p>'
+                   for label, found in shown.items())
 
 
 def ask(one: Shown) -> str:

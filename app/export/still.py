@@ -2,20 +2,20 @@
 
 import math
 from dataclasses import replace
-from io import BytesIO
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 from PIL import Image
-from PIL.PngImagePlugin import PngInfo
 
+from app import VERSION
 from app.badges import of_model
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
 from app.export.ink import Ink, bytes3
 from app.export.labels import COARSE, Clutter, draw_words, place, words
+from app.export.png import png
 from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
 from app.gpu.stage import Stage
@@ -44,7 +44,7 @@ def run(options) -> int:
     values |= data(found, values, options.mesh, getattr(options, "ies", None))
     plot = plot_number(found, getattr(options, "plot", None) or "1")
     picture = still(found, values, state.view, size, theme, part, plot)
-    target.write(path, png(picture, found, write(found, values, state.view)))
+    target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
 
 
@@ -143,7 +143,7 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
     camera, zoom = stage.scene.camera, 1.0
     tangent = math.tan(math.radians(camera.field_of_view) / 2)
     for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, counted=False)
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
         far = reach(stage, theme)
         wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
         if far >= CUT_OFF:
@@ -173,21 +173,6 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
                                          triangles=values.get("triangles")))
 
 
-def png(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
-    """The file's bytes; what was drawn and how to open it again stand in its text chunks."""
-    about = PngInfo()
-    about.add_text("Title", found.step.title)
-    about.add_text("Software", f"Halfway {version()}")
-    about.add_text("halfway:state", state)
-    out = BytesIO()
-    picture.save(out, "PNG", pnginfo=about, compress_level=1)
-    return out.getvalue()
-
-
-def version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("halfway")
-    except PackageNotFoundError:
-        return "unreleased"
+def file_of(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
+    """A PNG file's bytes; what was drawn and how to open it again stand in its text chunks."""
+    return png(picture, {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": state})

@@ -221,7 +221,8 @@ class Stage:
         width = self.line_width * mark.width
         steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
         self.bind_data(self.programs["mark"])
-        give(self.programs["mark"], mark=i, measure_steps=steps, mark_colour=COLOURS.index(mark.colour),
+        give(self.programs["mark"], mark=i, measure_steps=steps, length_steps=steps if mark.tip == "arrow" else 0,
+             mark_colour=COLOURS.index(mark.colour),
              dash=LINES.index(mark.line), tip=TIPS.index(mark.tip), line_width=width,
              tip_size=TIP_SIZE[mark.tip] * width)
         self.array("mark", f"mark {i}").render()

@@ -1,5 +1,6 @@
 """A scene as programs (text) and constant arrays: what the window, a still and a page all play. No GL here."""
 
+import re
 from dataclasses import dataclass
 from typing import get_args
 
@@ -21,6 +22,7 @@ PARTS = {  # program -> (its vertex text, its fragment text) around the scene's 
     "probe": (("", "stage/probe.vert"), None),
     "anchor": (("", "stage/anchor.vert"), None),
 }
+VALUES = {"stage/surface.vert": "surface_value", "stage/mesh.vert": "mesh_value"}  # a scene may define these
 Programs = dict[str, tuple[shader.Assembled, shader.Assembled | None]]
 
 
@@ -50,6 +52,8 @@ def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[st
     def text(part: tuple[str, str]) -> shader.Assembled:
         before, after = part
         lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
+        if after in VALUES and not re.search(rf"^vec4 {VALUES[after]}\(", scene.glsl, re.MULTILINE):
+            lines.insert(0, '#include "stage/no_value.glsl"')
         return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
 
     found: Programs = {}

@@ -1,8 +1,9 @@
 """A luminaire as it was measured, and the same as one grid of the whole sphere: the table a scene samples.
 
-Table rows: 0 the header [axis, vertical angles, planes, declared lm or NaN, peak cd]; 1 the angles from the pole; 2 the
-azimuths of the planes, from -180 to 180; then one row of candela for each plane. Degrees and cd. The pole is straight
-down (axis 0: types C and A) or horizontal, 90 degrees clockwise from the luminaire's front (axis 1: type B).
+Table rows: 0 the header [axis, vertical angles, planes, declared lm or NaN, peak cd, integrated lm]; 1 the angles from
+the pole; 2 the azimuths of the planes, from -180 to 180; then one row of candela for each plane. Degrees and cd. The
+pole is straight down (axis 0: types C and A) or horizontal, 90 degrees clockwise from the luminaire's front (axis 1:
+type B).
 """
 
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ import numpy as np
 from app.ies.angles import SAME, near
 
 TYPES = {1: "C", 2: "B", 3: "A"}
-HEADER = 5
+HEADER = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,21 +68,22 @@ class Photometry:
     @cached_property
     def integrated_lumens(self) -> float:
         """The flux of the intensities interpolated linearly between the angles: exact for that, not for the lamp."""
-        from app.optics.ies import ies_flux
-
-        return float(ies_flux(self.table))
+        return float(self.table[0, HEADER - 1])
 
     @cached_property
     def table(self) -> np.ndarray:
+        from app.optics.ies import ies_flux
+
         polar, azimuth, candela = self.whole()
         for row, pole in ((0, 0.0), (-1, 180.0)):
             if near(polar[row], pole):  # one direction: all planes agree, and the flux stays as it is
                 candela[:, row] = np.trapezoid(candela[:, row], azimuth) / (azimuth[-1] - azimuth[0])
         table = np.zeros((3 + len(azimuth), max(HEADER, len(polar), len(azimuth))))
         declared = np.nan if self.declared_lumens is None else self.declared_lumens
-        table[0, :HEADER] = self.kind == "B", len(polar), len(azimuth), declared, self.max_candela
+        table[0, :HEADER - 1] = self.kind == "B", len(polar), len(azimuth), declared, self.max_candela
         table[1, :len(polar)], table[2, :len(azimuth)] = polar, azimuth
         table[3:, :len(polar)] = candela
+        table[0, HEADER - 1] = ies_flux(table)
         table.flags.writeable = False
         return table
 

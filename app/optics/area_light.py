@@ -32,39 +32,6 @@ def radiance_sphere(radiant_flux, radius):
     return _over(radiant_flux, (2 * pi * np.asarray(radius, float)) ** 2)
 
 
-def radiance_disk(radiant_flux, radius):
-    """The radiance of a disk that radiates a flux evenly from one side.
-
-    Phi / (pi pi radius^2)
-
-    radiant_flux (...) W, radius (...) m. Returns (...) W/(m^2 sr); infinite for radius 0. Errors: none.
-    Source: deck, Area Lights; M = pi L for a Lambert emitter.
-    """
-    return _over(radiant_flux, (pi * np.asarray(radius, float)) ** 2)
-
-
-def radiance_panel(radiant_flux, panel_width, panel_depth):
-    """The radiance of a rectangle that radiates a flux evenly from one side.
-
-    Phi / (pi w d)
-
-    radiant_flux (...) W, panel_width, panel_depth (...) m. Returns (...) W/(m^2 sr); infinite without area.
-    Errors: none. Source: deck, Area Lights; M = pi L for a Lambert emitter.
-    """
-    return _over(radiant_flux, pi * np.asarray(panel_width, float) * np.asarray(panel_depth, float))
-
-
-def radiant_exitance_panel(radiant_flux, panel_width, panel_depth):
-    """The radiant exitance of a rectangle that radiates a flux evenly from one side: pi times its radiance.
-
-    Phi / (w d)
-
-    radiant_flux (...) W, panel_width, panel_depth (...) m. Returns (...) W/m^2; infinite without area. Errors: none.
-    Source: deck, Area Lights.
-    """
-    return _over(radiant_flux, np.asarray(panel_width, float) * np.asarray(panel_depth, float))
-
-
 def irradiance_sphere_light(radiance, radius, distance, theta):
     """The irradiance from a sphere whose centre is at a distance and an angle theta from the normal.
 
@@ -140,35 +107,41 @@ def panel_view(light_x, light_y, light_height, panel_tilt, position):
     return np.stack(_floats(x, y * np.cos(tilt) + z * np.sin(tilt), z * np.cos(tilt) - y * np.sin(tilt)), -1)
 
 
-def irradiance_panel(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position):
-    """The irradiance on the floor from the panel, exactly: what of it is above the floor, on its bright side.
+_OUTLINES = np.array([
+    [[0.5, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [0.5, 0.0]],
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]],
+    [[0.5, 0.0], [1.0, 0.4], [0.8, 1.0], [0.2, 1.0], [0.0, 0.4]],
+])
 
-    L projected_solid_angle_polygon of the four corners, 0 behind the panel
 
-    radiance (...) W/(m^2 sr), light_x, light_y, light_height, panel_width, panel_depth (...) m, panel_tilt (...) rad,
-    position (..., 3) m. Returns (...) W/m^2. Errors: those of projected_solid_angle_polygon; the GLSL twin takes Gauss
-    points for a panel ten times as far as it is wide. Source: Lambert 1760, Photometria.
+def outline_at(corner_count, index):
+    """A corner of the outline of a flat light in the unit square: 3 a triangle, 4 the whole square, 5 a pentagon.
+
+    from index corner_count on corner 0 again. The pentagon takes 0.68 of the square, its triangles from
+    corner 0 0.19, 0.30 and 0.19
+
+    corner_count (...) 3 .. 5, index (...) >= 0. Returns (..., 2). Errors: none. Source: deck, Area Lights; the
+    pentagon is this course's own, with a narrow and a wide end.
     """
-    position = np.asarray(position, float)
+    corner_count, index = np.asarray(corner_count), np.asarray(index)
+    return _OUTLINES[corner_count - 3, np.where(index < corner_count, index, 0)]
+
+
+def irradiance_outline(corner_count, radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt,
+                       position):
+    """The irradiance on the floor from a flat light, exactly: what of it is above the floor, on its bright side.
+
+    L projected_solid_angle_polygon of the outline's corners, 0 behind the light
+
+    corner_count (...) 3 .. 5 as outline_at, radiance (...) W/(m^2 sr), light_x, light_y, light_height, panel_width,
+    panel_depth (...) m, panel_tilt (...) rad, position (..., 3) m. Returns (...) W/m^2. Errors: those of
+    projected_solid_angle_polygon; the GLSL twin takes Gauss points for a light ten times as far as it is wide.
+    Source: Lambert 1760, Photometria.
+    """
+    count = np.asarray(corner_count)
+    at = outline_at(count[..., None], np.minimum(np.arange(5), count[..., None] - 1))
     panel = light_x, light_y, light_height, panel_width, panel_depth, panel_tilt
-    corners = np.stack([panel_point(*panel, s, t) - position for s, t in ((0, 0), (1, 0), (1, 1), (0, 1))], -2)
-    value = np.asarray(radiance, float) * projected_solid_angle_polygon(corners, 4)
+    parts = [np.asarray(v, float)[..., None] for v in panel]
+    corners = panel_point(*parts, at[..., 0], at[..., 1]) - np.asarray(position, float)[..., None, :]
+    value = np.asarray(radiance, float) * projected_solid_angle_polygon(corners, count)
     return np.where(panel_view(light_x, light_y, light_height, panel_tilt, position)[..., 2] > 0, value, 0.0)[()]
-
-
-def irradiance_panel_centre(radiance, light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, position):
-    """The irradiance on the floor from the whole panel as one punctual light in its middle.
-
-    L w d cos_light cos / r^2
-
-    The arguments of irradiance_panel. Returns (...) W/m^2. Errors: of order (size / r)^2; near a panel without bound.
-    Source: deck, Light Contribution of Area Lights (1), with one sample.
-    """
-    position = np.asarray(position, float)
-    way = np.stack(_floats(light_x, light_y, light_height), -1) - position
-    facing = np.maximum(panel_view(light_x, light_y, light_height, panel_tilt, position)[..., 2], 0)
-    r2 = np.sum(way * way, -1)
-    lit = (facing > 0) & (way[..., 2] > 0)
-    safe = np.where(lit, r2, 1)
-    area = np.asarray(panel_width, float) * panel_depth
-    return np.where(lit, radiance * area * facing / safe * way[..., 2] / safe, 0.0)[()]

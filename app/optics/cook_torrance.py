@@ -13,8 +13,9 @@ from numpy import pi
 from app.optics.beckmann import SMOOTHEST, _dot, d_beckmann
 from app.optics.fresnel import f_schlick
 from app.optics.spherical import direction
+from app.quadrature import gauss_legendre
 
-_NODES, _WEIGHTS = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(24), (1, 0), strict=True))
+_NODES, _WEIGHTS = gauss_legendre(24)
 _FARTHEST = 6.5  # of tan a / m: e^(-42) lies beyond
 
 

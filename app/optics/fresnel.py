@@ -6,7 +6,9 @@ complex index of a metal. `l_dot_h` is the cosine at the facet, between the ligh
 
 import numpy as np
 
-_NODES, _WEIGHTS = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(24), (1, 0), strict=True))
+from app.quadrature import gauss_legendre
+
+_NODES, _WEIGHTS = gauss_legendre(24)
 
 
 def far_cosine_squared(l_dot_h, eta):

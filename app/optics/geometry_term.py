@@ -76,6 +76,21 @@ def branch_at(theta_l, theta_v, phi):
     return g_branch(c[..., 0], c[..., 1], c[..., 2], c[..., 3])
 
 
+def crease_gap(theta_l, theta_v, phi):
+    """How far the least of the three terms of the V-groove's minimum lies below the next: 0 on a crease.
+
+    the two smallest of 1, 2 n.h n.v / l.h and 2 n.h n.l / l.h, their difference
+
+    theta_l, theta_v, phi (...) rad. Returns (...) >= 0; where l.h = 0 it is 1. Errors: none.
+    Source: deck, Geometric Term (3).
+    """
+    n_dot_h, n_dot_v, n_dot_l, l_dot_h = np.moveaxis(half_cosines(theta_l, theta_v, phi), -1, 0)
+    towards = l_dot_h > 0
+    both = 2 * n_dot_h / np.where(towards, l_dot_h, 1) * np.stack([n_dot_v, n_dot_l])
+    terms = np.sort(np.concatenate([np.where(towards, both, 0), np.ones_like(both[:1])]), 0)
+    return np.where(towards, terms[1] - terms[0], 1.0)[()]
+
+
 def lambda_beckmann_at(theta_v, m):
     """Smith's Lambda of a Gaussian surface at an angle.
 

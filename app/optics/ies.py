@@ -114,6 +114,16 @@ def ies_peak(table):
     return np.asarray(table, float)[0, 4]
 
 
+def ies_lumens(table):
+    """The flux of the interpolated intensities, as the table keeps it: ies_flux, summed once when the table is made.
+
+    the sixth number of the table's header
+
+    table (rows, columns). Returns () lm. Errors: those of ies_flux. Source: optics reference 7.8.
+    """
+    return np.asarray(table, float)[0, 5]
+
+
 def ies_solid(table, s, t):
     """The photometric solid over the unit square: in each direction as far out as the intensity, the peak being 1.
 
@@ -164,7 +174,7 @@ def ies_as_spot(table, off_axis, hotspot, falloff):
     Returns (...), 0 or more, above 1 where the measured beam is stronger than the hotspot. Errors: exact for the
     interpolant. Source: deck, IES Lights and Light Sources - Spotlights (2), both integrated.
     """
-    return ies_candela(table, off_axis, 0.0) * (spot_flux(1.0, hotspot, falloff) / ies_flux(table))
+    return ies_candela(table, off_axis, 0.0) * (spot_flux(1.0, hotspot, falloff) / ies_lumens(table))
 
 
 def ies_towards(table, way, turn, aim):

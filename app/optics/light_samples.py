@@ -2,9 +2,9 @@
 
 import numpy as np
 
-_RULES = [np.polynomial.legendre.leggauss(k) for k in (1, 2, 4, 8)]
-_RULE_AT = np.concatenate([(x + 1) / 2 for x, _ in _RULES])
-_RULE_WEIGHT = np.concatenate([w / 2 for _, w in _RULES])
+from app.quadrature import gauss_legendre
+
+_RULE_AT, _RULE_WEIGHT = (np.concatenate(parts) for parts in zip(*map(gauss_legendre, (1, 2, 4, 8)), strict=True))
 _GOLDEN, _STEP = np.uint32(2654435769), np.uint32(747796405)
 
 
@@ -87,18 +87,76 @@ def sobol_sample(index, seed):
     return np.stack([word >> np.uint32(8) for word in flipped], -1) / 2.0**24
 
 
-def gauss_sample(index, level):
-    """A point of a Gauss-Legendre product rule on the unit square, and its weight.
+def gauss_node(index, level):
+    """A point of a Gauss-Legendre rule on [0, 1], and its weight.
 
-    1, 2, 4 or 8 points a side at level 0 to 3; beyond, cells with 8 x 8 points each
+    1, 2, 4 or 8 points at level 0 to 3; beyond, cells with 8 points each
 
-    index, level (...) int. Returns (..., 3): s, t, weight; the weights of a level sum to 1. Errors: none.
+    index (...) int < 2^level, level (...) int. Returns (..., 2); the weights of a level sum to 1. Errors: none.
     Source: Abramowitz and Stegun 1964, 25.4.30.
     """
     rows = np.left_shift(1, level)
     order = np.minimum(rows, 8)
-    i, j = np.broadcast_arrays(index % rows, index // rows)
-    cells = np.asarray(rows // order, float)
-    at, place = zip(*((order - 1 + k % order, k // order) for k in (i, j)), strict=True)
-    s, t = ((p + _RULE_AT[a]) / cells for p, a in zip(place, at, strict=True))
-    return np.stack([s, t, _RULE_WEIGHT[at[0]] * _RULE_WEIGHT[at[1]] / cells**2], -1)
+    i, cells = order - 1 + np.asarray(index) % order, np.asarray(rows // order, float)
+    return np.stack([(np.asarray(index) // order + _RULE_AT[i]) / cells, _RULE_WEIGHT[i] / cells], -1)
+
+
+def gauss_sample(index, level):
+    """A point of a Gauss-Legendre product rule on the unit square, and its weight.
+
+    (a, b, weight_a weight_b) of gauss_node at index mod 2^level and index div 2^level
+
+    index, level (...) int. Returns (..., 3): s, t, weight; the weights of a level sum to 1. Errors: none.
+    Source: Abramowitz and Stegun 1964, 25.4.30.
+    """
+    index, level = np.broadcast_arrays(index, level)
+    rows = np.left_shift(1, level)
+    a, b = gauss_node(index % rows, level), gauss_node(index // rows, level)
+    return np.stack([a[..., 0], b[..., 0], a[..., 1] * b[..., 1]], -1)
+
+
+def spread_sample(sampling, level, seed, index):
+    """A sample on the unit square, of one of the kinds whose samples all weigh the same.
+
+    0 grid_sample, 1 random_sample, 2 stratified_sample, 3 and more sobol_sample
+
+    sampling, level, seed, index (...) int, index < 4^level. Returns (..., 2). Errors: none.
+    Source: deck, Light Contribution of Area Lights (1).
+    """
+    sampling, level, seed, index = np.broadcast_arrays(sampling, level, seed, index)
+    kinds = {0: lambda: grid_sample(index, level), 1: lambda: random_sample(index, seed),
+             2: lambda: stratified_sample(index, level, seed), 3: lambda: sobol_sample(index, seed)}
+    at = np.zeros((*index.shape, 2))
+    for kind in set(np.minimum(sampling, 3).ravel().tolist()):
+        at = np.where((np.minimum(sampling, 3) == kind)[..., None], kinds[kind](), at)
+    return at
+
+
+def light_sample(sampling, level, seed, index):
+    """A sample on the unit square and its weight, of one of six kinds.
+
+    0 to 4 spread_sample, of weight 1; 5 gauss_sample
+
+    sampling, level, seed, index (...) int, index < 4^level. Returns (..., 3): s, t, weight; the weights of a level sum
+    to 4^level. Errors: none. Source: deck, Light Contribution of Area Lights (1).
+    """
+    sampling, level, seed, index = np.broadcast_arrays(sampling, level, seed, index)
+    plain = np.concatenate([spread_sample(sampling, level, seed, index), np.ones((*index.shape, 1))], -1)
+    scale = np.stack([np.ones(level.shape), np.ones(level.shape), 4.0**level], -1)
+    return np.where((sampling == 5)[..., None], gauss_sample(index, level) * scale, plain)
+
+
+def concentric_disk(s, t):
+    """The point of the unit disk for a point of the unit square: squares become rings, areas stay in proportion.
+
+    a = 2 s - 1, b = 2 t - 1; |a| > |b|: radius a, angle pi/4 b/a; else radius b, angle pi/2 - pi/4 a/b
+
+    s, t (...) in [0, 1]. Returns (..., 2). Errors: none. Source: Shirley and Chiu 1997, A Low Distortion Map Between
+    Disk and Square.
+    """
+    a, b = np.broadcast_arrays(2 * np.asarray(s, float) - 1, 2 * np.asarray(t, float) - 1)
+    wide = np.abs(a) > np.abs(b)
+    r, other = np.where(wide, a, b), np.where(wide, b, a)
+    angle = np.pi / 4 * other / np.where(r == 0, 1, r)
+    near, far = r * np.cos(angle), r * np.sin(angle)
+    return np.stack([np.where(wide, near, far), np.where(wide, far, near)], -1)

@@ -6,6 +6,7 @@ the weights from CIE's tables.
 
 import numpy as np
 
+from app.optics.colour import linear_to_srgb
 from app.optics.fresnel import f_conductor, f_dielectric, f_f82, f_schlick
 
 # The rows of the deck's tables, Fresnel Term (7) and (6), in their order: its F(0) linear and sRGB, as printed
@@ -216,12 +217,11 @@ def material_srgb_printed(material, channel):
 def material_srgb_of_printed(material, channel):
     """One channel of the sRGB value that belongs to the printed linear one.
 
-    12.92 x up to 0.0031308, beyond it 1.055 x^(1/2.4) - 0.055, x = material_f0_printed
+    linear_to_srgb(material_f0_printed)
 
     material, channel (...) integers. Returns (...) 0 .. 1. Errors: none. Source: IEC 61966-2-1.
     """
-    x = np.asarray(material_f0_printed(material, channel))
-    return np.where(x <= 0.0031308, 12.92 * x, 1.055 * np.maximum(x, 0.0031308) ** (1 / 2.4) - 0.055)[()]
+    return linear_to_srgb(material_f0_printed(material, channel))
 
 
 def schlick_worst(material):

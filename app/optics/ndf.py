@@ -18,8 +18,9 @@ from app.optics.beckmann import (
 )
 from app.optics.distribution import _cosine_power
 from app.optics.ggx import d_ggx_slope
+from app.quadrature import gauss_legendre
 
-_NODES, _WEIGHTS = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(40), (1, 0), strict=True))
+_NODES, _WEIGHTS = gauss_legendre(40)
 
 
 def gauss_constant(m):

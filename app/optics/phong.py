@@ -9,9 +9,10 @@ import numpy as np
 from numpy import pi
 
 from app.optics.distribution import _cosine_power
+from app.quadrature import gauss_legendre
 
-_X, _W = np.polynomial.legendre.leggauss(32)
-_TURN = 0.25 * pi * (_X + 1)  # psi in [0, pi/2]; sin^2 psi crowds the nodes at both ends
+_U, _W = gauss_legendre(32)
+_TURN = 0.5 * pi * _U  # psi in [0, pi/2]; sin^2 psi crowds the nodes at both ends
 _AT, _WEIGHT = np.sin(_TURN) ** 2, _W * np.sin(2 * _TURN)
 _WEIGHT /= np.sum(_WEIGHT)
 

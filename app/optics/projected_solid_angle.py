@@ -7,8 +7,9 @@ import numpy as np
 from numpy import pi
 
 from app.optics.solid_angle import _dot
+from app.quadrature import gauss_legendre
 
-_AT, _WEIGHT = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(8), (1, 0), strict=True))
+_AT, _WEIGHT = gauss_legendre(8)
 
 
 def projected_solid_angle_cone(half_angle):

@@ -8,8 +8,9 @@ from app.optics.cook_torrance import _directions, _l_dot_h
 from app.optics.fresnel import f_schlick
 from app.optics.ggx import d_ggx
 from app.optics.smith import lambda_beckmann, lambda_ggx, lambda_ggx_slope
+from app.quadrature import gauss_legendre
 
-_NODES, _WEIGHTS = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(40), (1, 0), strict=True))
+_NODES, _WEIGHTS = gauss_legendre(40)
 
 
 def _correlated(n, l, v, d, hidden, width):

@@ -6,11 +6,12 @@ from numpy import pi
 from app.optics.phong import brdf_phong
 from app.optics.solid_angle import solid_angle_cell
 from app.optics.spherical import direction, light_direction, view_direction
+from app.quadrature import gauss_legendre
 
 _UP = np.array([0.0, 0.0, 1.0])
 _TREE = np.array([-0.48, 0.86, 0.173205081])
-_X, _W = np.polynomial.legendre.leggauss(24)
-_Z = np.concatenate([0.25 + 0.25 * _X, 0.75 + 0.25 * _X])
+_U, _W = gauss_legendre(24)
+_Z, _ZW = np.concatenate([0.5 * _U, 0.5 + 0.5 * _U]), 0.5 * np.concatenate([_W, _W])
 _TURN = (np.arange(96) + 0.5) * pi / 48
 
 
@@ -81,7 +82,7 @@ def reflected_radiance(theta_l, phi, theta_v, zenith_radiance, sun_radiance, k_d
     column = [np.asarray(a, float)[..., None] for a in args]
     to_sun, v, rest = light_direction(*column[:2]), view_direction(column[2]), column[3:]
     total = np.zeros(args[0].shape)
-    for z, weight in zip(_Z, 0.25 * np.concatenate([_W, _W]), strict=True):
+    for z, weight in zip(_Z, _ZW, strict=True):
         l = direction(np.arccos(z), _TURN)
         total += weight * np.sum(reflected_part(l, to_sun, v, *rest), -1)
     return (total * pi / 48)[()]

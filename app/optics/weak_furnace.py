@@ -9,8 +9,9 @@ import numpy as np
 from numpy import pi
 
 from app.optics.smith import g1_beckmann_rational, g_smith_correlated, g_smith_separable, lambda_beckmann_slope
+from app.quadrature import gauss_legendre
 
-_NODES, _WEIGHTS = (0.5 * (x + shift) for x, shift in zip(np.polynomial.legendre.leggauss(12), (1, 0), strict=True))
+_NODES, _WEIGHTS = gauss_legendre(12)
 _LEAST = 1e-7
 
 

@@ -6,13 +6,14 @@ import numpy as np
 import pyvista as pv
 from PIL import Image, ImageDraw
 
-from app.lesson import Camera, Curves
+from app.lesson import Camera, Curve, Curves
 from app.plots.dashes import along, dashed
 from app.plots.dots import rimmed, stamp
-from app.plots.look import Look, bytes3
+from app.plots.look import Look, Rgb, bytes3
 from app.plots.sweep import Sweep, Swept, widened
-from app.plots.ticks import axis_title, number
+from app.plots.ticks import number
 from app.plots.words import SHAPES, Entry, dot_size, font, line_of_words
+from app.spoken import axis_title
 
 COLOUR = {"exact": "exact", "estimate": "estimate", "printed": "printed"}
 LINES = {"exact": ("solid", "dashed", "dotted"), "printed": ("dashdot", "dotted", "dashed"),
@@ -34,7 +35,7 @@ class CurvesPart:
 
     @property
     def entries(self) -> list[Entry]:
-        return [Entry(sample, self.look.colour(COLOUR[curve.role]), curve.label)
+        return [Entry(sample, colour_of(curve, self.look), curve.label)
                 for curve, sample in zip(self.plot.curves, self.samples, strict=True) if sample]
 
     def footer(self) -> np.ndarray:
@@ -48,7 +49,7 @@ class CurvesPart:
         self.drawn = self.sweep.run(values)
         self.line_now = chart.line([0, 0], [0, 0], color=(*look.quiet, 0.8), width=max(1.0, look.line / 2))
         self.drawn_as = [s for s in self.samples if s]
-        self.colours = [look.colour(COLOUR[s.curve.role]) for s in self.drawn]
+        self.colours = [colour_of(s.curve, look) for s in self.drawn]
         self.lines = [chart.line([0, 1], [0, 0], color=colour, width=look.line) if sample not in SHAPES else None
                       for sample, colour in zip(self.drawn_as, self.colours, strict=True)]
         for axis in (chart.x_axis, chart.y_axis):
@@ -143,6 +144,10 @@ class CurvesPart:
 
     def shown(self, values):
         return np.degrees(values) if self.sweep.q.is_angle else np.asarray(values, float)
+
+
+def colour_of(curve: Curve, look: Look) -> Rgb:
+    return look.colour(curve.colour or COLOUR[curve.role])
 
 
 def samples(plot: Curves, left_out: int | None) -> list[str]:

@@ -165,9 +165,10 @@ class Legend:
         self.rows = -(-len(models) // self.columns)
 
     def strip(self, models: list[Lit], note: str, samples: tuple[str, ...] = ("area",)) -> np.ndarray:
-        look, letters = self.look, font(self.look, self.look.small)
+        look = self.look
         picture = Image.new("RGB", (look.size[0], (self.rows + 1) * self.high + self.gap), bytes3(look.background))
         draw = ImageDraw.Draw(picture)
+        letters = fitting(look, note, look.size[0] - 2 * self.gap)
         draw.text((look.size[0] / 2, 0.5 * self.high), note, bytes3(look.quiet), letters, anchor="mm")
         wide = (look.size[0] - 2 * self.gap) / self.columns
         for i, one in enumerate(models):
@@ -175,10 +176,20 @@ class Legend:
             entry = Entry(samples[i % len(samples)], one.colour(look), one.label)
             paste(picture, mark(look, entry, self.swatch, self.high), x, y - self.high / 2)
             x += self.swatch + self.gap
+            value = three(one.number) + one.unit
+            letters = fitting(look, f"{one.label}  {value}", 2 * self.gap + (i % self.columns + 1) * wide - x)
             draw.text((x, y), one.label, bytes3(look.foreground), letters, anchor="lm")
-            draw.text((x + letters.getlength(one.label + "  "), y), three(one.number) + one.unit,
-                      bytes3(look.foreground), letters, anchor="lm")
+            x += letters.getlength(one.label + "  ")
+            draw.text((x, y), value, bytes3(look.foreground), letters, anchor="lm")
         return np.asarray(picture)
+
+
+def fitting(look: Look, text: str, room: float):
+    """The theme's small letters, or smaller ones with which the text has room."""
+    size = look.small
+    while size > 9 and font(look, size).getlength(text) > room:
+        size -= 1
+    return font(look, size)
 
 
 def dot(look: Look) -> float:

@@ -104,7 +104,7 @@ class Sweep:
         high = math.ceil(math.log10(seen.max()))
         low = math.floor(math.log10(seen.min()))
         if self.plot.error:
-            low, high = round(math.log10(self.floor)), max(0, high)
+            low, high = max(round(math.log10(self.floor)), low), max(0, high)
         return Axis(10.0 ** max(low, -300), 10.0 ** min(max(high, low + 1), 300), log=True)
 
 
@@ -119,10 +119,10 @@ def linear_frame(seen: np.ndarray) -> Axis:
         return Axis(0.0, 1.0)
     low, high = float(seen.min()), float(seen.max())
     if low < 0 < high:
-        return Axis(-nice(-1.02 * low), nice(1.02 * high))
+        return Axis(-nice(-low), nice(high))
     if low >= 0:
-        return Axis(0.0, nice(1.02 * high) if high > 0 else 1.0)
-    return Axis(-nice(-1.02 * low), 0.0)
+        return Axis(0.0, nice(high) if high > 0 else 1.0)
+    return Axis(-nice(-low), 0.0)
 
 
 def span(axis: Axis) -> float:

@@ -1,18 +1,11 @@
 """Where an axis has its ticks and what they say: round numbers, decades, degrees."""
 
 import math
-import re
 from dataclasses import dataclass
 
 import numpy as np
 
-from app.quantities import SPOKEN, quantity, spoken
-
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
-SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-GREEK = {"alpha": "α", "beta": "β", "theta": "θ", "varphi": "φ", "phi": "φ", "rho": "ρ", "omega": "ω", "Omega": "Ω",
-         "Delta": "Δ", "eta": "η", "sigma": "σ", "lambda": "λ", "Phi": "Φ", "pi": "π", "gamma": "γ",
-         "mu": "µ", "tau": "τ"}
 
 
 @dataclass(frozen=True)
@@ -77,7 +70,7 @@ def linear_ticks(low: float, high: float, most: int, degrees: bool = False, whol
 def nice(value: float) -> float:
     """The next round number upwards."""
     scale = 10.0 ** math.floor(math.log10(value))
-    return next(m * scale for m in (1, 1.5, 2, 3, 4, 5, 6, 8, 10, 20) if m * scale >= value * (1 - 1e-12))
+    return next(m * scale for m in (1, 1.2, 1.5, 2, 3, 4, 5, 6, 8, 10, 20) if m * scale >= value * (1 - 1e-12))
 
 
 def number(value: float) -> str:
@@ -92,17 +85,3 @@ def number(value: float) -> str:
 
 def power(exponent: int) -> str:
     return "10" + str(exponent).translate(SUPERSCRIPTS)
-
-
-def plain(latex: str) -> str:
-    r"""A symbol of the table as plain letters: \Delta\theta -> Δθ, r_0 -> r₀."""
-    text = re.sub(r"\\([A-Za-z]+)\s*", lambda m: GREEK.get(m[1], m[1]), latex)
-    return re.sub(r"_\{?(\d+)\}?", lambda m: m[1].translate(SUBSCRIPTS), text).replace("{", "").replace("}", "")
-
-
-def axis_title(name: str) -> str:
-    """What stands at an axis: half angle θ in °."""
-    q = quantity(name)
-    words, symbol = spoken(name), plain(q.symbol)
-    unit = f" in {q.screen_unit}" if q.screen_unit else ""
-    return (words if name in SPOKEN or words == symbol else f"{words} {symbol}") + unit

@@ -7,7 +7,8 @@ from imgui_bundle import imgui
 
 from app.catalog import ValueSpec
 from app.lesson import Number
-from app.quantities import shown, spoken
+from app.quantities import shown
+from app.spoken import said, words
 from app.typed import digits
 from app.viewer import style
 
@@ -30,9 +31,13 @@ def draw(app) -> None:
     imgui.end_disabled()
 
 
+def label(spec: ValueSpec) -> str:
+    return said(spec.name) if spec.choices else words(spec.name)
+
+
 def label_width(specs: Iterable[ValueSpec]) -> float:
     unit = imgui.get_font_size()
-    return min(max((imgui.calc_text_size(spoken(s.name)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
+    return min(max((imgui.calc_text_size(label(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
 
 
 def height(specs: Iterable[ValueSpec], room: float) -> float:
@@ -47,8 +52,8 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
     """The choices of a value, in as many lines as they need; a slider is one."""
     found: list[list[int]] = [[]]
     style, x = imgui.get_style(), 0.0
-    for i, text in enumerate(spec.choices):
-        width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(text).x
+    for i in range(int(spec.low), int(spec.high) + 1) if spec.choices else ():
+        width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(spec.choices[i]).x
         if found[-1] and x + width > room:
             found.append([])
             x = 0.0
@@ -59,7 +64,7 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
 
 def row(app, spec: ValueSpec, width: float) -> None:
     imgui.align_text_to_frame_padding()
-    imgui.text(spoken(spec.name))
+    imgui.text(label(spec))
     tool_tip(spec)
     imgui.same_line(width)
     imgui.set_next_item_width(-1)
@@ -131,7 +136,7 @@ def tool_tip(spec: ValueSpec) -> None:
     low, high, first = (text(spec, x) for x in (spec.low, spec.high, spec.default))
     gap = "" if unit in ("", "°") else " "
     imgui.set_tooltip(
-        f"{spoken(spec.name)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
+        f"{words(spec.name)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
         "Ctrl+click to type, double click to reset."
     )
 

@@ -18,3 +18,9 @@ float arctan2(float y, float x) {
 float arccos(float x) {
     return arctan2(sqrt(max(0.0, (1.0 - x) * (1.0 + x))), x);
 }
+
+float sine_of(float angle) {
+    // Taylor series, between -pi/2 and pi/2 to 1e-9: less work for a processor than the built-in sine
+    float x = angle * angle;
+    return angle * (1.0 - x / 6.0 * (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0 * (1.0 - x / 156.0))))));
+}

@@ -49,6 +49,11 @@ float normalisation_short(float exponent, float summand) {
     return (exponent + summand) / (8.0 * PI);
 }
 
+float normalisation_short_share(float exponent, float summand) {
+    // The Importance of Being Normalized (1): what a short cut gives back along the normal
+    return normalisation_short(exponent, summand) / normalisation_blinn_phong(exponent);
+}
+
 float brdf_blinn_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
     // Blinn-Phong BRDF (2)
     if (dot(n, l) <= 0.0 || dot(n, v) <= 0.0) return 0.0;
@@ -81,6 +86,12 @@ float albedo_blinn_phong(float theta_v, float exponent) {
     return normalisation_blinn_phong(exponent) * lobe_flux_blinn(theta_v, exponent);
 }
 
+float albedo_blinn_phong_limit(float theta_v) {
+    // Blinn-Phong BRDF (1), for an exponent without end
+    float c = cos(theta_v);
+    return c * c;
+}
+
 float half_width_blinn(float exponent) {
     // Fisher and Woo 1994, R.E versus N.H Specular Highlights
     return 2.0 * half_width_phong(exponent);
@@ -91,17 +102,26 @@ float blinn_exponent(float exponent) {
     return 1.38629436112 / -log_one_less(0.5 * one_less_exp(0.69314718056 / max(exponent, 1e-30)));
 }
 
+float blinn_exponent_short(float exponent) {
+    // Fisher and Woo 1994: the rule of thumb
+    return 4.0 * exponent;
+}
+
+float brdf_blinn_phong_as_wide(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
+    // Blinn-Phong BRDF (2), its highlight as wide as Phong's of this exponent
+    return brdf_blinn_phong(n, l, v, k_d, k_s, blinn_exponent(exponent));
+}
+
 float highlight_stretch(float theta_v) {
     // Ngan, Durand and Matusik 2005, Experimental Analysis of BRDF Models
     return 1.0 / cos(theta_v);
 }
 
-vec3 sample_blinn_phong(vec3 v, float exponent, float xi_1, float xi_2) {
-    // Walter 2005, Notes on the Ward BRDF: v mirrored in a facet h drawn with (n.h)^(exponent + 1)
+vec3 sample_blinn_phong(float xi_1, float xi_2, float exponent) {
+    // Walter 2005, Notes on the Ward BRDF: a facet h drawn with (n.h)^(exponent + 1)
     float log_cosine = log_one_less(min(xi_1, 0.99999994)) / (exponent + 2.0), turn = 2.0 * PI * xi_2;
     float sine = sqrt(one_less_exp(-2.0 * log_cosine));
-    vec3 h = vec3(sine * cos(turn), sine * sin(turn), exp(log_cosine));
-    return 2.0 * dot(v, h) * h - v;
+    return vec3(sine * cos(turn), sine * sin(turn), exp(log_cosine));
 }
 
 float pdf_blinn_phong(vec3 n, vec3 l, vec3 v, float exponent) {

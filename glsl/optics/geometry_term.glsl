@@ -33,6 +33,14 @@ float branch_at(float theta_l, float theta_v, float phi) {
     return g_branch(c.x, c.y, c.z, c.w);
 }
 
+float crease_gap(float theta_l, float theta_v, float phi) {
+    // Geometric Term (3): the next of the three terms less the least; 0 on a crease
+    vec4 c = half_cosines(theta_l, theta_v, phi);
+    if (c.w <= 0.0) return 1.0;
+    float low = 2.0 * c.x * min(c.y, c.z) / c.w, high = 2.0 * c.x * max(c.y, c.z) / c.w;
+    return low < 1.0 ? min(high, 1.0) - low : low - 1.0;
+}
+
 float lambda_beckmann_at(float theta_v, float m) {
     // Smith 1967
     return lambda_beckmann_slope(m * sin(theta_v) / max(cos(theta_v), 1e-30));

@@ -6,14 +6,26 @@ vec3 ies_place(sampler2D table, int row, float angle) {
     int low = 0, high = int(texelFetch(table, ivec2(row, 0), 0).x) - 1;
     float a = texelFetch(table, ivec2(low, row), 0).x, b = texelFetch(table, ivec2(high, row), 0).x;
     if (!(angle >= a - 1e-4 && angle <= b + 1e-4)) return vec3(-1.0, 0.0, 0.0);
+    int guess = clamp(int((angle - a) / (b - a) * float(high)), 0, high - 1); // right where the angles are even
+    float c = texelFetch(table, ivec2(guess, row), 0).x, d = texelFetch(table, ivec2(guess + 1, row), 0).x;
+    if (c <= angle && angle <= d) {
+        low = guess;
+        high = guess + 1;
+        a = c;
+        b = d;
+    }
     for (int i = 0; i < 12; i++) { // halves at most 3601 angles
         if (high - low < 2) break;
         int middle = (low + high) / 2;
-        if (texelFetch(table, ivec2(middle, row), 0).x <= angle) low = middle;
-        else high = middle;
+        float m = texelFetch(table, ivec2(middle, row), 0).x;
+        if (m <= angle) {
+            low = middle;
+            a = m;
+        } else {
+            high = middle;
+            b = m;
+        }
     }
-    a = texelFetch(table, ivec2(low, row), 0).x;
-    b = texelFetch(table, ivec2(high, row), 0).x;
     return vec3(float(low), clamp(vec2(b - angle, angle - a) / (b - a), 0.0, 1.0));
 }
 
@@ -69,6 +81,11 @@ float ies_peak(sampler2D table) {
     return texelFetch(table, ivec2(4, 0), 0).x;
 }
 
+float ies_lumens(sampler2D table) {
+    // optics reference 7.8: the integrated flux, summed once when the table is made
+    return texelFetch(table, ivec2(5, 0), 0).x;
+}
+
 vec3 ies_solid(sampler2D table, float s, float t) {
     // IES Lights: in each direction as far out as the intensity, the peak being 1
     float theta = PI * t, phi = 2.0 * PI * (s > 0.5 ? s - 1.0 : s);
@@ -89,7 +106,7 @@ float ies_plane(sampler2D table, float theta, float plane) {
 float ies_as_spot(sampler2D table, float off_axis, float hotspot, float falloff) {
     // IES Lights, Spotlights: the measured intensity as a share of that of a spot of the same flux
     float inner = sin(0.5 * min(hotspot, falloff)), outer = sin(0.5 * falloff);
-    return ies_candela(table, off_axis, 0.0) * (2.0 * PI * (inner * inner + outer * outer) / ies_flux(table));
+    return ies_candela(table, off_axis, 0.0) * (2.0 * PI * (inner * inner + outer * outer) / ies_lumens(table));
 }
 
 float ies_towards(sampler2D table, vec3 way, float turn, float aim) {

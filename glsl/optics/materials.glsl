@@ -1,3 +1,4 @@
+#include "optics/colour.glsl"
 #include "optics/fresnel.glsl"
 
 // The deck's two tables, Fresnel Term (7) and (6), as printed: water, plastic or glass (low), plastic (high),
@@ -28,15 +29,19 @@ const vec3 PRINTED_SRGB[10] = vec3[10](
 // Measured at 589 nm: water, fused silica, polystyrene, ruby, diamond
 const float INDEX_ETA[5] = float[5](1.333, 1.4585, 1.592, 1.768, 2.4175);
 // Johnson & Christy 1972, 1974, Rakic 1995: eta, k at twelve wavelengths, for each metal
-const vec2 INDEX_METAL[60] = vec2[60](
+const vec2 INDEX_GOLD[12] = vec2[12](
     vec2(1.47, 1.952), vec2(1.46, 1.958), vec2(1.45, 1.948), vec2(1.38, 1.914), vec2(1.31, 1.849), vec2(1.04, 1.833),
-    vec2(0.62, 2.081), vec2(0.43, 2.455), vec2(0.29, 2.863), vec2(0.21, 3.272), vec2(0.14, 3.697), vec2(0.13, 4.103),
+    vec2(0.62, 2.081), vec2(0.43, 2.455), vec2(0.29, 2.863), vec2(0.21, 3.272), vec2(0.14, 3.697), vec2(0.13, 4.103));
+const vec2 INDEX_SILVER[12] = vec2[12](
     vec2(0.05, 2.07), vec2(0.05, 2.275), vec2(0.04, 2.462), vec2(0.04, 2.657), vec2(0.05, 2.869), vec2(0.05, 3.093),
-    vec2(0.05, 3.324), vec2(0.06, 3.586), vec2(0.05, 3.858), vec2(0.06, 4.152), vec2(0.05, 4.483), vec2(0.04, 4.838),
+    vec2(0.05, 3.324), vec2(0.06, 3.586), vec2(0.05, 3.858), vec2(0.06, 4.152), vec2(0.05, 4.483), vec2(0.04, 4.838));
+const vec2 INDEX_COPPER[12] = vec2[12](
     vec2(1.32, 2.116), vec2(1.28, 2.207), vec2(1.25, 2.305), vec2(1.24, 2.397), vec2(1.25, 2.483), vec2(1.22, 2.564),
-    vec2(1.18, 2.608), vec2(1.02, 2.577), vec2(0.7, 2.704), vec2(0.3, 3.205), vec2(0.22, 3.747), vec2(0.21, 4.205),
+    vec2(1.18, 2.608), vec2(1.02, 2.577), vec2(0.7, 2.704), vec2(0.3, 3.205), vec2(0.22, 3.747), vec2(0.21, 4.205));
+const vec2 INDEX_IRON[12] = vec2[12](
     vec2(2.24, 2.58), vec2(2.35, 2.65), vec2(2.48, 2.71), vec2(2.59, 2.77), vec2(2.67, 2.82), vec2(2.74, 2.88),
-    vec2(2.86, 2.91), vec2(2.95, 2.93), vec2(2.94, 2.99), vec2(2.88, 3.05), vec2(2.92, 3.1), vec2(2.86, 3.19),
+    vec2(2.86, 2.91), vec2(2.95, 2.93), vec2(2.94, 2.99), vec2(2.88, 3.05), vec2(2.92, 3.1), vec2(2.86, 3.19));
+const vec2 INDEX_ALUMINIUM[12] = vec2[12](
     vec2(0.4813, 4.8032), vec2(0.5214, 5.001), vec2(0.5718, 5.2148), vec2(0.6364, 5.4652), vec2(0.7085, 5.7122), vec2(0.7975, 6.0002),
     vec2(0.8917, 6.2914), vec2(1.0092, 6.6111), vec2(1.1692, 6.9882), vec2(1.3497, 7.3707), vec2(1.6235, 7.7998), vec2(1.9581, 8.1749));
 // What each wavelength adds to linear sRGB in daylight
@@ -71,7 +76,9 @@ float material_eta(int material) {
 
 vec2 metal_index(int material, int wavelength_index) {
     // Johnson and Christy 1972, 1974; Rakic 1995: eta and k
-    return INDEX_METAL[12 * max(material - INSULATORS, 0) + wavelength_index];
+    int i = wavelength_index;
+    return material <= 5 ? INDEX_GOLD[i] : material == 6 ? INDEX_SILVER[i] : material == 7 ? INDEX_COPPER[i]
+        : material == 8 ? INDEX_IRON[i] : INDEX_ALUMINIUM[i];
 }
 
 vec3 wavelength_weight(int wavelength_index) {
@@ -117,8 +124,7 @@ float material_srgb_printed(int material, int channel) {
 
 float material_srgb_of_printed(int material, int channel) {
     // IEC 61966-2-1
-    float x = PRINTED_F0[material][channel];
-    return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
+    return linear_to_srgb(PRINTED_F0[material][channel]);
 }
 
 float schlick_worst(int material) {

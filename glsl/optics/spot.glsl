@@ -38,3 +38,17 @@ float spot_intensity(float radiant_flux, float hotspot, float falloff) {
     // Spotlights (2): the intensity in the hotspot that makes up a flux
     return radiant_flux / spot_flux(1.0, hotspot, falloff);
 }
+
+float spot_read(float off_axis, float hotspot, float falloff, float threshold, int edge, int reading) {
+    // Spotlights (2), as a program may read it: 0 as meant, 1 full angles taken for half ones, 2 +l.d in place of -l.d
+    float wide = reading == 1 ? 2.0 : 1.0, angle = reading == 2 ? PI - off_axis : off_axis;
+    if (edge == 2) return spot_as_printed(angle, wide * hotspot, wide * falloff, threshold);
+    float share = spot_linear(angle, wide * hotspot, wide * falloff);
+    return edge == 1 ? share * share * (3.0 - 2.0 * share) : share;
+}
+
+float spot_read_flux(float radiant_intensity, float hotspot, float falloff, int reading) {
+    // Spotlights (2): what such a program sends before the lamp; with the other sign all of it goes behind
+    float wide = reading == 1 ? 2.0 : 1.0;
+    return reading == 2 ? 0.0 : spot_flux(radiant_intensity, wide * hotspot, wide * falloff);
+}

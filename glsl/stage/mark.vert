@@ -12,13 +12,14 @@ vec3 on_screen(float t) {
     return vec3(0.5 * viewport * p.xy / p.w, (p.z - 0.0005) / p.w); // half a percent nearer, as dots
 }
 
-uniform int measure_steps; // 0 where nothing depends on the length
+uniform int measure_steps; // 0 where nothing depends on how far along a point is
+uniform int length_steps;  // 0 where nothing depends on the whole length
 
-float screen_length(float t) {
+float screen_length(float t, int pieces_to_sum) {
     float sum = 0.0;
     vec3 before = on_screen(0.0);
-    for (int i = 1; i <= measure_steps; i++) {
-        vec3 now = on_screen(t * float(i) / float(measure_steps));
+    for (int i = 1; i <= pieces_to_sum; i++) {
+        vec3 now = on_screen(t * float(i) / float(pieces_to_sum));
         sum += length(now.xy - before.xy);
         before = now;
     }
@@ -31,8 +32,8 @@ void main() {
     vec2 along = on_screen(min(t + 0.01, 1.0)).xy - on_screen(max(t - 0.01, 0.0)).xy;
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
-    v_length = measure_steps > 0 ? screen_length(1.0) : 1e9;
-    vec2 pen = vec2(screen_length(t), stage_corner.y * (0.5 * line_width + 1.0));
+    v_length = length_steps > 0 ? screen_length(1.0, length_steps) : 1e9;
+    vec2 pen = vec2(screen_length(t, measure_steps), stage_corner.y * (0.5 * line_width + 1.0));
     vec2 place = here.xy + across * pen.y;
     if (stage_corner.z > 0.5) {
         pen = vec2(stage_corner.x * 2.0 - 1.0, stage_corner.y) * tip_size;

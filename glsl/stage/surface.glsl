@@ -7,4 +7,5 @@ struct Surface {
     vec3 normal;    // geometric, on the side of the eye
     vec3 v;         // to the eye
     int face;       // of a mesh
+    vec4 value;     // of surface_value or mesh_value
 };
