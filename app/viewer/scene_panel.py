@@ -84,7 +84,7 @@ class ScenePanel:
         scene, found = self.stage.scene, {}
         probes = self.stage.probes(values)
         for label in scene.labels:
-            found[f"label {label.text}"] = probes[label.probe, :3]
+            found[f"label {label.probe}"] = probes[label.probe, :3]
         for handle in scene.handles:
             found[f"handle {handle.name}"] = probes[handle.probe, :3]
         for name, point in self.stage.anchors(values).items():
@@ -101,7 +101,7 @@ class ScenePanel:
         assert self.stage is not None
         scene = self.stage.scene
         for label in scene.labels:
-            point = self.points[f"label {label.text}"]
+            point = self.points[f"label {label.probe}"]
             self.word(label.text, style.ink(label.colour, theme), point, corner, room, theme)
         for mark in scene.marks:
             if mark.label:
