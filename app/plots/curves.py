@@ -168,11 +168,12 @@ def spaced(places: np.ndarray, apart: float) -> np.ndarray:
 
 
 def nothing_in(curves: list[Swept]) -> list[str]:
-    """One sentence for all curves of which a logarithmic axis has nothing to show."""
-    labels = [f"“{c.curve.label}”" for c in curves if c.not_positive == len(c.y)]
+    """One short sentence for all curves of which a logarithmic axis has nothing to show."""
+    labels = [f"“{c.curve.label}”" for c in curves if c.not_positive and c.not_positive == len(c.y)]
     if not labels:
         return []
-    return [f"{', '.join(labels)} {'is' if len(labels) == 1 else 'are'} 0 everywhere: below any logarithmic axis"]
+    which = f"{labels[0]} is" if len(labels) == 1 else f"{len(labels)} of {len(curves)} curves are"
+    return [f"{which} 0 everywhere"]
 
 
 def notices_of(curve: Swept) -> list[str]:
