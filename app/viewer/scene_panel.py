@@ -124,7 +124,11 @@ class ScenePanel:
     def word(
         self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4
     ) -> None:
-        """A word beside its point, kept inside the picture, with a halo of the background."""
+        """A word beside its point, kept inside the picture, with a halo of the background; none for a point outside."""
+        assert self.stage is not None
+        across, down, w = orbit.project(point, self.stage.matrix)
+        if w <= 0 or not (-0.05 <= across <= 1.05 and -0.05 <= down <= 1.05):
+            return
         at, size, gap = self.on_screen(point, corner, room), imgui.calc_text_size(text), gap * imgui.get_font_size()
         away = np.array(
             [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
