@@ -131,7 +131,7 @@ def test_the_picture_turns_zooms_and_is_read():
         engine.key_press(imgui.Key.mod_ctrl | imgui.Key.z, 3)
         assert window.session.view == view
         frames(engine)
-        inside = 0.4 * window.scene.points["handle the patch"] + 0.6 * window.scene.points["label A"]
+        inside = 0.4 * window.scene.points["handle the patch"] + 0.6 * window.scene.points["label 3"]
         engine.mouse_teleport_to_pos(place(window, inside))
         engine.mouse_click(0)
         frames(engine)
