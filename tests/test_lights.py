@@ -11,7 +11,7 @@ from app.grade.checks import run
 from app.inspection import inspect
 from app.optics import area_light, distribution, light_samples, panel_samples, punctual, spherical_rectangle, spot
 from app.optics import filter as filters
-from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics.solid_angle_flat import solid_angle_rectangle_off_axis
 
 PANEL = {"radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4, "panel_depth": 0.9,
          "panel_tilt": -0.3}

@@ -4,7 +4,7 @@ import numpy as np
 
 from app.optics.area_light import _floats, panel_point, panel_view
 from app.optics.light_samples import gauss_sample, grid_sample, random_sample, sobol_sample, stratified_sample
-from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics.solid_angle_flat import solid_angle_rectangle_off_axis
 from app.optics.spherical_rectangle import spherical_rectangle_point
 
 
