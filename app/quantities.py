@@ -232,6 +232,8 @@ TABLE: dict[str, Quantity] = {
     "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
     "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
     "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
+    # plausible shading
+    "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),
 }
 
 # Vectors that are no values of a step: they follow from its angles
