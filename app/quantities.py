@@ -235,6 +235,8 @@ TABLE: dict[str, Quantity] = {
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "slope of the bumps along one axis, RMS", extreme=(1e-3, 1.0)),
     "bumps": Quantity("N", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
+    # plausible shading
+    "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),
 }
 
 # Vectors that are no values of a step: they follow from its angles
