@@ -122,7 +122,7 @@ vec4 probe(int i) { return vec4(i == 0 ? bar_end() : -0.7, -1.02, -DEEP - (i == 
         marks=(Mark("scale bar", width=1.6), Mark("its start", width=1.6), Mark("its end", width=1.6)),
         labels=(Label("0.2 mm", 1),),
         handles=(Handle("the scale", 0, ("zoom",)),),
-        camera=Camera(azimuth=-74, elevation=33, distance=5.3, target=(0.02, 0.0, -0.16)),
+        camera=Camera(azimuth=-74, elevation=33, distance=5.7, target=(0.02, 0.0, -0.16)),
     ),
     plot=Curves(
         title="Where single grooves can still be seen", sweep="groove_width",
@@ -551,8 +551,8 @@ many. Of these a share $\colour{g}{G}$ stands free, and each reflects a share $\
 $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)}$$
 
 The small balls show one factor each, the large one the product. Only $F$ has a colour. Take the
-$\colour{l}{\text{lamp}}$ [behind the ball](?theta_l=87&theta_v=87&phi=180): there $F$ nears 1 in every colour, and gold
-shines in *the lamp's colour*.
+$\colour{l}{\text{lamp}}$ [behind the ball](?theta_l=82&theta_v=82&phi=180): there $F$ climbs towards 1 in every colour, and gold
+pales to *the lamp's colour*.
 
 The deck writes $1/\pi$ for $1/4$, after Lambert. But the facets are counted around $h$, light around $l$, and
 $d\omega_l = 4\,(l\cdot h)\,d\omega_h$: that is the 4. [As printed](?prefactor=1), the ball in the furnace shines
@@ -1033,7 +1033,7 @@ vec4 probe(int i) {
         surfaces=tuple(Surface(f"ball {i}", cells=(40, 8) if i else (64, 10)) for i in range(6)),
         marks=(Mark("seam", colour="quiet", segments=48), Mark("to the light", colour="l", tip="sun", label="l")),
         labels=(Label("Beckmann", 1, "d"), Label("cosine lobe", 2, "printed"),
-                *(Label(f"m = {m}", i + 3) for i, m in enumerate(("0.08", "0.14", "0.25", "0.45", "0.8")))),
+                *(Label(m, i + 3) for i, m in enumerate(("m = 0.08", "0.14", "0.25", "0.45", "0.8")))),
         handles=(Handle("the lamp", 0, ("theta_l",)),),
         camera=Camera(azimuth=-90, elevation=0, distance=30, target=(0.0, 0.0, -0.05), field_of_view=12),
     ),
