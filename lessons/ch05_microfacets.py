@@ -562,7 +562,7 @@ brighter than the furnace.
         glsl="""
 #include "optics/cook_torrance.glsl"
 #include "optics/vgroove.glsl"
-#include "display/facing_ball.glsl"
+#include "display/balls.glsl"
 #include "display/furnace.glsl"
 #include "display/palette.glsl"
 uniform float theta_l;
@@ -591,7 +591,7 @@ vec3 ball_centre(int surface) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 5) return vec3(1.4 + 1.3 * s.x, 0.7, -2.67 + 1.3 * s.y);
-    return facing_ball(s, ball_centre(surface), surface == 0 ? LARGE : SMALL);
+    return cap_to_eye(s, ball_centre(surface), surface == 0 ? LARGE : SMALL);
 }
 
 vec3 shade(Surface s) {
@@ -985,7 +985,7 @@ For small $m$ both halves agree. For [rough ones](?m=0.8) Beckmann bends: the se
         glsl="""
 #include "optics/beckmann.glsl"
 #include "optics/ndf.glsl"
-#include "display/facing_ball.glsl"
+#include "display/balls.glsl"
 #include "display/palette.glsl"
 uniform float m;
 uniform float theta_l;
@@ -1007,7 +1007,7 @@ vec3 light() {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    return facing_ball(s, centre(surface), size(surface));
+    return cap_to_eye(s, centre(surface), size(surface));
 }
 
 vec3 shade(Surface s) {

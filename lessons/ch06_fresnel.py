@@ -258,8 +258,8 @@ vec4 probe(int i) {
 """,
         surfaces=(Surface("lake", cells=(24, 1)), Surface("shore and sky", cells=(24, 1))),
         marks=(
-            Mark("ring", colour="l", segments=48, width=2.0, label="θ", label_at=0.2),
-            Mark("Brewster", colour="printed", line="dashed", segments=48, label="Brewster", label_at=0.75),
+            Mark("ring", colour="l", segments=24, width=2.0, label="θ", label_at=0.2),
+            Mark("Brewster", colour="printed", line="dashed", segments=24, label="Brewster", label_at=0.75),
         ),
         handles=(Handle("the ring", 0, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=24, distance=1.0, target=(0.0, 0.9135, 1.2933), field_of_view=74),

@@ -215,7 +215,13 @@ def a_lamp_above(a: dict, rng) -> dict:
     return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
 
 
+def wider_than_a_step(a: dict, rng) -> dict:
+    """Facets wide enough that float32 knows where in their lobe a bump lies."""
+    return a | {"m": f32(np.maximum(a["m"], 0.05)), "facets": np.minimum(a["facets"], 3000)}
+
+
 JOINT = {  # arguments that belong together
+    "d_bumps_counted": wider_than_a_step,
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
                      "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
