@@ -72,7 +72,7 @@ float share(int beam) {
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 3) {
         vec3 d = along(surface), across = vec3(d.z, 0.0, -d.x);
-        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) + vec3(0.0, -0.01, 0.0);
+        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) - vec3(0.0, 0.01 * float(3 - surface), 0.0);
     }
     if (surface == 3) return vec3(2.35 + 0.3 * s.x, -0.01, -1.4 + 2.6 * s.y);
     if (surface == 4) return vec3(-2.0 + 4.0 * s.x, 0.0, -1.5 * s.y);
@@ -91,7 +91,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    vec3 lift = vec3(0.0, -0.03, 0.0);
+    vec3 lift = vec3(0.0, -0.05, 0.0);
     if (mark == 0) return vec3(0.0, 0.0, 1.5 * t) + lift;
     if (mark == 1) return 1.75 * t * along(0) + lift;
     if (mark == 2) return 1.6 * t * along(1) + lift;
@@ -174,7 +174,7 @@ more than light that swings *along* it ($\colour{printed}{p}$), and at **Brewste
 reflected at all. A polariser picks one: [s only](?polariser=0), [both](?polariser=45), [p only](?polariser=90).
 
 With $p$ only the mirror goes out along the dashed line, and you see the ground there. Photographers know. Walk the
-$\colour{l}{\text{ring}}$ to [your feet](?theta=25), [Brewster](?theta=53.1), [far out](?theta=87).
+$\colour{l}{\text{ring}}$ to [the near stones](?theta=36), [Brewster](?theta=53.1), [far out](?theta=87).
 """,
     scene=Scene(
         glsl="""
@@ -295,7 +295,7 @@ lies near Brewster's angle. Ripples tilt the normal a little, so the far mirror 
     sources=("Deck, slides Fresnel Term (2) and (3)", "Fresnel 1823", "Brewster 1815", "Malus 1809"),
     honesty="The share is exact for each pixel's angle. Ripples, stones and evening are made up; the light of the ground is "
             "taken as unpolarised, and its loss on the way up through the water is left out.",
-    values=(Value("theta", 70.0, low=15.0, high=88.0), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
+    values=(Value("theta", 70.0, low=15.0, high=87.5), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
     minutes=7,
 )
 
@@ -366,7 +366,8 @@ vec3 shade(Surface s) {
 
 vec3 mark_point(int mark, float t) {
     vec3 lift = vec3(0.0, -0.04, 0.0);
-    if (mark < 3) return leg(mark, theta, mark == 1 && share(1, theta) <= 0.0 ? 0.0 : t) + lift;
+    if (mark == 1 && share(1, theta) <= 0.0) return vec3(0.0, 0.0, -99.0); // out of the picture: there is none
+    if (mark < 3) return leg(mark, theta, t) + lift;
     if (mark == 3) return vec3(-3.3 + 6.6 * t, 0.0, 0.0) + lift;
     float top = DEEP * tan(min(theta, 1.2));
     if (mark == 4) return vec3(top, 0.0, -0.75 + 1.9 * t) + lift;
