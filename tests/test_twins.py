@@ -215,6 +215,12 @@ def a_lamp_above(a: dict, rng) -> dict:
     return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
 
 
+def above_the_floor(a: dict, rng) -> dict:
+    """Globes that hang free, seen from within a room: from afar the cosine of their slant is rounding."""
+    near = {name: f32(np.clip(a[name], -4, 4)) for name in ("from_wall", "along_wall")}
+    return a | near | {"source_radius": f32(np.minimum(a["source_radius"], 0.5))}
+
+
 JOINT = {  # arguments that belong together
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
@@ -240,6 +246,7 @@ JOINT = {  # arguments that belong together
     "light_sample": of_its_level,
     "paint_measured": a_lamp_above,
     "stratified_sample": of_its_level,
+    "lamps_illuminance_by_area": above_the_floor,
     "meets_patch": unit,
     "radiance_sensor": opened,
     "radiance_sensor_projected": opened,
