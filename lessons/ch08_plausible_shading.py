@@ -16,6 +16,7 @@ from app.lesson import (
     Label,
     Ledger,
     LedgerRow,
+    Lobes,
     Mark,
     Model,
     Prediction,
@@ -574,6 +575,271 @@ to 0.9 with ρ = 1: a metal with a body, 1.9 times the light. Metals swallow wha
             Value("f0", 0.04, low=0.0, high=0.9)), minutes=6,
 )
 
+BOARD = Step(
+    name="board",
+    title="The board: everything on",
+    idea="Under a far light the colour of a place is D, G, F and a denominator of its normal alone, and what the body adds.",
+    slides=("Cook – Torrance – Distribution Term (1)", "Cook – Torrance – Fresnel Term (1)",
+            "Cook – Torrance – Geometric Term (1)"),
+    prose=r"""
+All that the course has built, on one object. The ball holds every normal, so it is the object's dictionary: light and eye
+are far away, and what has the $\colour{n}{\text{normal}}$ of the picked point **has its colour**. The rings say where.
+
+$$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)} + f_d$$
+
+Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
+[n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
+
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
+only for $l\cdot h$. $D$ alone draws the highlight. Move the $\colour{l}{\text{light}}$ or the picked point: a
+[low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
+drop a mesh of your own on the window.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/coat.glsl"
+#include "optics/vgroove.glsl"
+#include "stage/corner_normal.glsl"
+#include "display/balls.glsl"
+#include "display/facing.glsl"
+#include "display/scale.glsl"
+uniform float theta_l, theta_v, phi, m, f0, rho;
+uniform int shows;
+
+const float SIZE = 0.92, APART = 1.04;
+
+vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
+
+vec3 lamp() {
+    vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
+    return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
+}
+
+vec3 ball() { return -APART * aside() - 0.22 * up(); }
+
+vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, ball(), SIZE); }
+
+vec3 mesh_point(int surface, vec3 p) { return SIZE * p + APART * aside() - 0.22 * up(); }
+
+vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
+
+vec3 factor(vec3 n, vec3 l, vec3 v) {
+    float n_dot_l = dot(n, l), n_dot_v = dot(n, v);
+    vec3 s = l + v, h = s / max(length(s), 1e-6), paint = rho * vec3(1.0, 0.30, 0.16);
+    if (shows >= 6) {
+        vec3 w = shows == 6 ? n : h;
+        return pow(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), vec3(2.2));
+    }
+    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint) : 0.35 * background;
+    if (shows == 2) return mix(0.15 * background, palette[COLOUR_G], g_vgroove(dot(n, h), n_dot_v, n_dot_l, dot(l, h)));
+    if (shows == 3) return mix(0.15 * background, palette[COLOUR_F], sqrt(f_schlick(dot(l, h), f0)));
+    float value = shows == 1 ? d_beckmann(n, s, m) : brdf_cook_torrance(n, l, v, m, f0);
+    if (shows == 1 || shows == 4) return decades(value, -3.0, 2.0);
+    vec3 body = paint * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
+    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint));
+}
+
+vec3 shade(Surface s) {
+    vec3 v = eye(), l = lamp(), n;
+    if (s.id == 0) n = ball_normal((s.position - ball()) / SIZE, s.v);
+    else n = normalize(s.value.xyz) * (dot(s.value.xyz, s.normal) < 0.0 ? -1.0 : 1.0);
+    vec3 colour = factor(n, l, v);
+    float off = distance(n, picked()), ring = s.id == 1 ? abs(off - 0.13) : 1.0;
+    return mix(palette[COLOUR_N], colour, smoothstep(0.022, 0.035, ring));
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 foot = ball() + SIZE * picked(), l = lamp(), v = eye(), h = normalize(l + v + 1e-6 * picked());
+    if (mark == 0) return foot + 0.62 * t * picked();
+    if (mark == 1) return foot + 0.95 * t * l;
+    if (mark == 2) return foot + 0.75 * t * v;
+    return foot + 0.8 * t * h;
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(ball() + SIZE * picked() + 0.8 * eye(), 1.0);
+    return vec4(ball() + SIZE * picked() + 0.95 * lamp(), 1.0);
+}
+""",
+        surfaces=(Surface("ball", cells=(60, 6)), Surface("object", mesh=True)),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+               Mark("to the eye", colour="v", tip="eye", label="v"),
+               Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
+        handles=(Handle("the picked point", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        legend=(("n", "the same normal"),),
+        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=4.9),
+        meshes=("knot", "bowl", "sphere", "cube"),
+    ),
+    plot=(
+        Ledger("Factor by factor, at the point", ((
+            LedgerRow("D(h)", Term("d_halfway"), "1/sr"),
+            LedgerRow("D G", Term("dg_at"), "1/sr", "", "G: lit and seen"),
+            LedgerRow("D G F", Term("dgf_at"), "1/sr", "", "F: mirrored"),
+            LedgerRow("mirror part", Term("brdf_cook_torrance"), "1/sr", "", "1 / 4 (n·l)(n·v)"),
+        ),)),
+        Lobes(title="The lobe at the point"),
+    ),
+    models=(Model("mirror and body", Term("brdf_coated", {"coupling": 3})),),
+    readouts=(
+        Readout("D", Term("d_halfway"), unit="1/sr"), Readout("G", Term("vgroove_at"), unit=""),
+        Readout("F", Term("schlick_at"), unit=""), Readout("f, all together", Term("brdf_coated", {"coupling": 3}), unit="1/sr"),
+    ),
+    ask=Prediction(
+        question="Plastic, F₀ = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
+                 "sides. How many times larger is D G F / 4 (n·l)(n·v) now?",
+        truth=Term("mirror_gain", {"theta": PI / 3, "f0": 0.04}),
+        unit="times", low=1.0, high=20.0, scale="log",
+        sets={"theta_l": 60.0, "theta_v": 60.0, "phi": 180.0, "f0": 0.04},
+        told="7.0 times. D and G have not changed; F gives 1.75, and the denominator 1 / cos² 60° = 4.",
+    ),
+    notes="""
+Let the class name a factor before you show it: who draws the highlight, who the rim, who nothing at all? Show F and wait:
+it is flat. Someone will say it is broken; ask where h points at the left of the ball, and at the right. A lamp near by, or an
+eye near by, would tilt it. G is 1 nearly everywhere. Then pick a point at the rim and read the ledger from top to bottom. Common wrong answer to the question: about two, from F alone. The denominator is geometry: seen at a slant the same
+facets crowd into less projected area. Then change the shape: the rings wander, the numbers stay. 8 minutes.
+""",
+    sources=("Deck, slides Distribution Term (1), Fresnel Term (1), Geometric Term (1)", "Cook & Torrance 1982",
+             "Shirley et al. 1997; Kelemen & Szirmay-Kalos 2001: the body", "Schlick 1994"),
+    honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far, and the light goes "
+            "with the point. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
+    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "D G F / 4 (n·l)(n·v)", "body", "n", "h")),
+            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube")),
+            Value("m", 0.25, low=0.05, high=1.0), Value("f0", 0.04, low=0.02, high=0.95),
+            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 44.0, low=0.0, high=85.0, more=True),
+            Value("phi", 115.0, more=True), Value("rho", 0.6, more=True)),
+    minutes=8,
+)
+
+SCALE = Step(
+    name="scale",
+    title="A bumpy mirror, seen from afar",
+    idea="Bumps too small for a pixel turn into roughness: the mean squares of their slopes add to m squared.",
+    slides=(PLAUSIBLE("The Scale Effect"),),
+    prose=r"""
+A mirror ball, hammered all over, its lamp beside your eye. [Near by](?bumps=5) each bump shows a highlight of its own. Drag
+the knob on the bar: [farther](?bumps=60), [far away](?bumps=1500). The bumps pass the size of a pixel, and no normal of one place
+can stand for a pixel any more.
+
+On the left one bump speaks for all: the picture **sparkles**, and crawls when anything moves. Below, the pixel asks
+$N$ places: better, never calm. On the right what it cannot show is moved into the roughness:
+
+$$m_\text{eff}^2 = m^2 + 2\sigma^2$$
+
+$m$ counts both axes, the bumps' slope $\sigma$ one, hence the 2. Facets, bumps, roughness: the same slopes at **three scales**.
+At the highlight's [middle](?theta_h=0) this one evaluation misses 2 %; random places need 12 000 for that.
+""",
+    scene=Scene(
+        glsl="""
+#include "display/balls.glsl"
+#include "display/bumps.glsl"
+#include "display/facing.glsl"
+uniform float m, bump_slope, bumps, theta_h;
+uniform int samples;
+
+vec3 surface_point(int surface, vec2 s) {
+    float a = s.y * acos(1.0 / length(camera_position)), turn = 2.0 * PI / 3.0 * (float(surface) + s.x);
+    return cos(a) * eye() + sin(a) * around(turn);
+}
+
+// What is mirrored: the lamp, and an evening with a horizon as blurred as the roughness makes it
+vec3 seen(vec3 bump, float roughness, vec3 v) {
+    float height = 2.0 * dot(bump, v) * bump.z / dot(bump, bump) - v.z, wide = 2.0 * roughness;
+    vec3 room = mix(vec3(0.045, 0.034, 0.028), vec3(0.11, 0.19, 0.36) - 0.06 * height, smoothstep(-wide, wide, height));
+    return room + vec3(0.19, 0.155, 0.10) * d_beckmann(bump, v, roughness);
+}
+
+vec3 shade(Surface s) {
+    vec3 n = ball_normal(s.position, s.v), across = dFdx(n), down = dFdy(n), light = vec3(0.0), v = eye();
+    if (s.id == 0) {
+        vec4 bump = bumpy(n, n, across, down, bumps, bump_slope, true);
+        light = seen(bump.xyz, sqrt(m * m + bump.w), v);
+    } else if (s.id == 2) {
+        light = seen(bumpy(n, n, across, down, bumps, bump_slope, false).xyz, m, v);
+    } else {
+        vec2 at = fract(gl_FragCoord.xy * vec2(0.754878, 0.569840) + 0.5 * gl_FragCoord.yx * vec2(0.618034, 0.324718));
+        for (int i = 0; i < samples; i++) {
+            vec2 off = fract(at + float(i) * vec2(0.7548777, 0.5698403)) - 0.5;
+            light += seen(bumpy(n, n + off.x * across + off.y * down, across, down, bumps, bump_slope, false).xyz, m, v);
+        }
+        light /= float(samples);
+    }
+    return 1.0 - exp(-light);
+}
+
+float reached() { return log(bumps / 3.0) / log(500.0); }
+
+vec3 knob() { return 0.12 * eye() - 1.3 * up() + (2.0 * reached() - 1.0) * 0.8 * aside(); }
+
+vec3 mark_point(int mark, float t) {
+    if (mark < 3) return 1.02 * t * around(2.0 * PI / 3.0 * float(mark)) + 1.02 * eye();
+    if (mark == 3) return sin(theta_h) * around(2.0 * PI * t) + 1.02 * eye();
+    if (mark == 4) return 0.12 * eye() - 1.3 * up() + (2.0 * t - 1.0) * 0.8 * aside();
+    return knob();
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(knob(), 1.0);
+    if (i == 1) return vec4(sin(theta_h) * around(2.6) + 1.02 * eye(), 1.0);
+    if (i < 4) return vec4(-1.3 * up() + (i == 2 ? -1.0 : 0.95) * aside(), 1.0);
+    return vec4(i == 4 ? 1.0 * aside() + 0.72 * up() : i == 5 ? -1.12 * up() : -1.0 * aside() + 0.72 * up(), 1.0);
+}
+""",
+        surfaces=(Surface("filtered", cells=(24, 6)), Surface("N places", cells=(24, 6)), Surface("one place", cells=(24, 6))),
+        marks=(*(Mark(f"border {i}", colour="quiet") for i in range(3)),
+               Mark("ring", colour="h", line="dashed", segments=48, width=1.5),
+               Mark("near to far", colour="quiet", width=1.5), Mark("how far", colour="v", tip="dot", width=2.0)),
+        labels=(Label("near", 2), Label("far", 3), Label("filtered", 4, "estimate"), Label("N places", 5), Label("one place", 6, "printed")),
+        handles=(Handle("the distance", 0, ("bumps",)), Handle("the ring", 1, ("theta_h",))),
+        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.14), field_of_view=4.0),
+    ),
+    plot=(
+        Curves(
+            title="The roughness a pixel must use", sweep="bumps", y_label="roughness m",
+            curves=(Curve("what it hides, added", Term("m_pixel"), role="estimate"),
+                    Curve("the facets alone", Term("m_effective", {"bump_slope": 0.0}), role="printed")),
+        ),
+        Curves(
+            title="The highlight from afar", sweep="theta_h", y_label="D, per steradian",
+            curves=(Curve("counted, 2000 bumps", Term("d_bumps_counted", {"facets": 2000})),
+                    Curve("m_eff", Term("d_filtered"), role="estimate"), Curve("Toksvig", Term("d_toksvig"), role="printed")),
+        ),
+        Curves(
+            title="Error at the highlight's middle", sweep="samples", y_label="relative error", y_scale="log",
+            curves=(Curve("N random places, RMS", Term("sampling_error")),
+                    Curve("m_eff, one evaluation", Term("filter_error"), role="estimate")),
+        ),
+    ),
+    readouts=(
+        Readout("D at the ring, counted", Term("d_bumps_counted", {"facets": 10000}), role="exact", unit="1/sr"),
+        Readout("with m_eff", Term("d_filtered"), role="estimate", unit="1/sr", against="D at the ring, counted"),
+        Readout("by Toksvig's rule", Term("d_toksvig"), role="estimate", unit="1/sr", against="D at the ring, counted"),
+        Readout("bumps forgotten", Term("d_unfiltered"), role="printed", unit="1/sr", against="D at the ring, counted"),
+    ),
+    ask=Prediction(
+        question="A bumpy mirror seen from afar: is it a mirror? Polished to m = 0.1, with bumps of slope 0.2, it will look as if it "
+                 "had which m?",
+        truth=Term("m_effective", {"m": 0.1, "bump_slope": 0.2}),
+        unit="m", low=0.0, high=1.0,
+        sets={"m": 0.1, "bump_slope": 0.2, "bumps": 1500.0},
+        told="0.30: no mirror at all. Its polish, 0.01 of 0.09 in m², hardly counts any more.",
+    ),
+    notes="""
+Pull the knob slowly to the right and stop where the three parts begin to differ, at about 100 bumps. Move the camera a
+little: the left part crawls, the right one rests. Ask which of the three is right, and how one would know: by counting, the
+first number. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
+3.54. Common wrong answer: it stays a mirror, each bump is one. Each is; the pixel is not. The deck's sentence
+"introduce macro-scale irregularities into the BRDF roughness" is this formula. 7 minutes.
+""",
+    sources=("Deck, slide Plausible Shading - The Scale Effect", "Olano & Baker 2010, LEAN Mapping",
+             "Toksvig 2005, Mipmapping Normal Maps"),
+    honesty="Numbers: bumps of normal slopes, equally large from above, the mean of D; G, F and hidden bumps are left out. The "
+            "picture's bumps are six waves, and its light is bent to the screen. The first plot takes a ball 600 pixels wide.",
+    values=(Value("bumps", 300.0, low=3.0, high=1500.0), Value("bump_slope", 0.2, low=0.0, high=0.4),
+            Value("m", 0.1, low=0.05, high=0.4), Value("samples", 16, low=1, high=64),
+            Value("theta_h", 12.0, low=0.0, high=60.0, more=True)),
+    minutes=7,
+)
+
 BODY_PYTHON = """import numpy as np
 
 def body_coupled(n_dot_l, n_dot_v, rho, f0):
@@ -597,7 +863,7 @@ BODY_GLSL_SOLVED = BODY_GLSL_HEAD + """    vec2 c = vec2(n_dot_l, n_dot_v), x = 
 CHAPTER = Chapter(
     title="Plausible shading",
     idea="Right units, a balanced material and a camera make a picture one can believe.",
-    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY),
+    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE),
     exercises=(
         Exercise(
             name="coated",
