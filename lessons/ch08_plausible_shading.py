@@ -42,7 +42,7 @@ COMPARE = Step(
     slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
     prose=r"""
 A metal vase, twice, and a plastic one, twice. Both times it has the same colour, the same width of highlight, the same peak
-with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=78).
+with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
 **Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
 $\theta$ its highlight is
@@ -136,10 +136,10 @@ vec4 probe(int i) {
         y_label="times", y_scale="log",
     ),
     readouts=(
-        Readout("plastic, Cook-Torrance", Term("gain_cook_torrance", RED), role="exact", unit="times"),
-        Readout("Blinn-Phong", Term("gain_blinn_phong"), role="printed", unit="times", against="plastic, Cook-Torrance"),
-        Readout("the left one, red", Term("gain_cook_torrance", {"channel": 0}), unit="times"),
-        Readout("the left one, blue", Term("gain_cook_torrance", {"channel": 2}), unit="times"),
+        Readout("plastic, gain", Term("gain_cook_torrance", RED), role="exact", unit=""),
+        Readout("Blinn-Phong", Term("gain_blinn_phong"), role="printed", unit="", against="plastic, gain"),
+        Readout("metal, red", Term("gain_cook_torrance", {"channel": 0}), unit=""),
+        Readout("metal, blue", Term("gain_cook_torrance", {"channel": 2}), unit=""),
     ),
     models=(Model("Cook-Torrance", Term("brdf_matter", {"channel": 0}), "exact"),
             Model("Blinn-Phong", Term("brdf_matter_blinn", {"channel": 0}), "printed")),
@@ -164,7 +164,7 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
              "Rakic 1995; Sultanova 2009: indices"),
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
             "F₀, the exponent 2/m² - 2. The room is a look, mirrored in 20 facets per corner. No shadows; no second bounces.",
-    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES)), minutes=6,
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
 )
 
 CURVES = ("cut at 1", "Reinhard", "ACES fit")
@@ -442,7 +442,7 @@ vec4 probe(int i) {
         question="A globe lamp of radius 10 cm hangs 1 m away. A program takes I/r² for its radiance L. How many times "
                  "larger is the true one?",
         truth=Term("luminance_over_inverse_square", {"source_radius": 0.1, "distance": 1.0}),
-        unit="times", low=1.0, high=1000.0, scale="log",
+        unit="times", low=1.0, high=10000.0, scale="log",
         sets={"source_radius": 0.1, "taken": 1},
         told="31.8 times: one over the solid angle of its disk, 0.0314 sr. A smaller lamp makes it worse, without end.",
     ),
