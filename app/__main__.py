@@ -108,6 +108,7 @@ def window_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", default="", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire: an IES file (LM-63)")
+    parser.add_argument("--output", metavar="FOLDER", help="no window: pictures and a page of all lessons, to here")
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
@@ -116,7 +117,7 @@ def show_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def course(options: argparse.Namespace) -> int:
-    """The window, or the same lessons as pictures where there is no display."""
+    """The window, or the same lessons as pictures where there is no display or a folder for them is named."""
     if getattr(options, "version", False):
         print(f"halfway {VERSION}")
         return 0
@@ -128,9 +129,10 @@ def course(options: argparse.Namespace) -> int:
         from app.state import parse
 
         parse(options.state)
-    if has_display():
+    if not options.output and has_display():
         return int(import_module("app.viewer").run(options) or 0)
-    print("There is no display for a window here, so the lessons become pictures and a page to open in a browser.")
+    if not options.output:
+        print("There is no display for a window here, so the lessons become pictures and a page to open in a browser.")
     return int(import_module("app.export.gallery").run(options) or 0)
 
 

@@ -10,13 +10,14 @@ import json
 import math
 import re
 import sys
+from functools import cache
 from pathlib import Path
 from typing import TextIO
 
 import numpy as np
 
 from app import optics, shader
-from app.problem import Usage, near
+from app.problem import Problem, Usage, near
 from app.quantities import TABLE
 
 MAX_CORNERS = 8  # as in glsl/core/constants.glsl
@@ -179,11 +180,24 @@ def results(function: str, args: dict, backend: str) -> dict[str, np.ndarray]:
     if backend != "glsl":
         with np.errstate(all="ignore"):
             values["value"] = np.asarray(optics.twin(function)(**args))
-    if backend != "python":
+    if backend == "glsl" or (backend == "both" and opengl()):
         from app.gpu.evaluate import evaluate
 
         values["glsl"] = evaluate(function, args)
     return values
+
+
+@cache
+def opengl() -> bool:
+    """Whether OpenGL can be had; if not, that is said once, and Python answers alone."""
+    from app.gpu.context import context
+
+    try:
+        context()
+    except Problem as problem:
+        print(f"halfway: no float32 answers by GLSL: {problem}", file=sys.stderr)
+        return False
+    return True
 
 
 def strict(values: dict[str, np.ndarray]) -> dict:

@@ -38,17 +38,22 @@ class Number:
 
 def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
     """The step's readouts at these values (radians inside; a mesh step carries its `triangles`)."""
-    found: dict[str, Number] = {}
-    for readout in step.readouts:
-        value, cost = measured(readout, values, ctx)
-        shown = 0.0 if abs(value) <= NOTHING * SUMS.get(readout.term.function, 0.0) else value
-        error, error_text = against(readout, shown, found.get(readout.against))
-        estimate = bool(readout.against)
-        words = readout.absent if readout.absent and math.isnan(shown) else written(shown, readout.unit)
-        found[readout.label] = Number(
-            readout.label, readout.role, shown, readout.unit, error, words, error_text,
-            full(value, readout), cost if estimate else None, duration(cost) if estimate else "")
-    return list(found.values())
+    found = {readout.label: measured(readout, values, ctx) for readout in step.readouts}
+    shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
+    return [number_of(readout, *found[readout.label], shown.get(readout.against)) for readout in step.readouts]
+
+
+def without_rounding(readout: Readout, value: float) -> float:
+    return 0.0 if abs(value) <= NOTHING * SUMS.get(readout.term.function, 0.0) else value
+
+
+def number_of(readout: Readout, value: float, cost: float, exact: float | None) -> Number:
+    shown = without_rounding(readout, value)
+    error, error_text = against(readout, shown, exact)
+    estimate = bool(readout.against)
+    words = readout.absent if readout.absent and math.isnan(shown) else written(shown, readout.unit)
+    return Number(readout.label, readout.role, shown, readout.unit, error, words, error_text, full(value, readout),
+                  cost if estimate else None, duration(cost) if estimate else "")
 
 
 def measured(readout: Readout, values: dict, ctx=None) -> tuple[float, float]:
@@ -80,15 +85,15 @@ def once(readout: Readout, values: dict, ctx=None) -> float:
     return float(found.reshape(()))
 
 
-def against(readout: Readout, value: float, exact: Number | None) -> tuple[float | None, str]:
+def against(readout: Readout, value: float, exact: float | None) -> tuple[float | None, str]:
     """The relative error and its words; an exact value of 0 has a difference only, and what is not finite has none."""
-    if exact is None or not (math.isfinite(value) and math.isfinite(exact.value)):
+    if exact is None or not (math.isfinite(value) and math.isfinite(exact)):
         return None, ""
-    if value == exact.value:
+    if value == exact:
         return 0.0, "exact to rounding"
-    if exact.value == 0:
+    if exact == 0:
         return None, f"off by {written(value, readout.unit)}"
-    error = (value - exact.value) / exact.value
+    error = (value - exact) / exact
     return error, error_words(error, ROUNDING[readout.precision])
 
 

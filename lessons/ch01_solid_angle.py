@@ -820,7 +820,7 @@ closed one's, less the hole. This sum is how modelling programs decide what is i
 """,
     scene=Scene(
         glsl="""
-#include "optics/solid_angle.glsl"
+#include "optics/solid_angle_flat.glsl"
 #include "display/look.glsl"
 uniform sampler2D triangles;
 uniform vec3 eye;

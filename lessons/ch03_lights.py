@@ -56,6 +56,7 @@ nothing.
 #include "optics/area_light.glsl"
 #include "optics/spherical.glsl"
 #include "display/scale.glsl"
+#include "display/line_label.glsl"
 uniform float radius;
 uniform float radiant_flux;
 uniform float light_height;
@@ -70,14 +71,17 @@ vec3 surface_point(int surface, vec2 s) {
     return lamp() + radius * sphere_point(s.x, s.y);
 }
 
+float shown_value(vec3 p) {
+    return irradiance_lamp(radiant_flux, radius, length(vec3(p.xy, light_height)), arctan2(length(p.xy), light_height));
+}
+
 vec3 shade(Surface s) {
     if (s.id == 1) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 2) {
         float glow = clamp(0.25 * log(radiance_sphere(radiant_flux, radius)) / log(10.0), 0.0, 1.0);
         return mix(mix(palette[COLOUR_L] * 0.5, palette[COLOUR_L], min(2.0 * glow, 1.0)), vec3(1.0), max(0.0, 1.6 * glow - 0.6));
     }
-    float away = length(vec3(s.position.xy, light_height));
-    return decades(irradiance_lamp(radiant_flux, radius, away, arctan2(length(s.position.xy), light_height)), -1.0, 2.0);
+    return decades(shown_value(s.position), -1.0, 2.0);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -91,12 +95,14 @@ vec4 probe(int i) {
     if (i == 2) return vec4(-1.6, -2.6, 0.0, 1.0);
     if (i == 3) return vec4(-0.5333, -2.6, 0.0, 1.0);
     if (i == 4) return vec4(0.5333, -2.6, 0.0, 1.0);
-    return vec4(1.5, -2.6, 0.0, 1.0);
+    if (i == 5) return vec4(1.5, -2.6, 0.0, 1.0);
+    return line_label(i == 6 ? 1.0 : i == 7 ? 10.0 : 100.0, vec3(0.0), vec3(-1.9, -1.9, 0.0));
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("lamp", cells=(32, 16))),
         marks=tuple(Mark(f"intensity {i}", colour="l", tip="arrow", width=0.9) for i in range(12)),
-        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
+        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5),
+                Label("1", 6), Label("10", 7), Label("100", 8)),
         handles=(Handle("the lamp's rim", 0, ("radius",)), Handle("the lamp", 1, ("light_height",))),
         camera=Camera(azimuth=-80, elevation=36, distance=9.4, target=(0.0, -0.4, 0.05)),
         legend=(("l", "arrows: intensity"),),
@@ -159,13 +165,14 @@ Bring it [close](?distance=0.1&theta=20), then [closer](?distance=0.03&theta=20)
 and no lamp does: inside its own radius $r_0$ it is no point. So we stop there, with $\max(r, r_0)$. Game engines add a
 window instead, which ends the light at a [reach](?reach=1.5) and saves the work beyond.
 
-[Below the floor](?theta=120) $n\cdot l$ is negative: nothing.
+[Below the floor](?theta=120) $n\cdot l$ is negative. The light still arrives (hatched), but from behind: nothing.
 """,
     scene=Scene(
         glsl="""
 #include "optics/punctual.glsl"
 #include "optics/spherical.glsl"
 #include "display/scale.glsl"
+#include "display/line_label.glsl"
 uniform float distance;
 uniform float theta;
 uniform float phi;
@@ -182,10 +189,18 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(3.2 * s.x - 1.6, -2.36 + 0.16 * s.y, 0.0);
 }
 
+float shown_value(vec3 p) {
+    return irradiance_at(p, vec3(0.0, 0.0, 1.0), light(), radiant_intensity, source_radius);
+}
+
 vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 4.0 * s.st.x - 1.0), -1.0, 3.0);
-    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
-    return decades(irradiance_at(s.position, n, light(), radiant_intensity, source_radius), -1.0, 3.0);
+    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0), way = light() - s.position;
+    vec3 lit = decades(irradiance_at(s.position, n, light(), radiant_intensity, source_radius), -1.0, 3.0);
+    // Hatched: light arrives from behind. The stripes have the colour of what a surface would get that faced it.
+    float at = 6.0 * (s.position.x + s.position.y + s.position.z), wide = fwidth(at);
+    float stripe = dot(n, way) < 0.0 ? 1.0 - smoothstep(0.2, 0.2 + wide, abs(fract(at) - 0.5)) : 0.0;
+    return mix(lit, decades(radiant_intensity / max(dot(way, way), source_radius * source_radius), -1.0, 3.0), 0.75 * stripe);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -203,7 +218,9 @@ vec4 probe(int i) {
     if (i == 3) return vec4(-0.8, -2.6, 0.0, 1.0);
     if (i == 4) return vec4(0.0, -2.6, 0.0, 1.0);
     if (i == 5) return vec4(0.8, -2.6, 0.0, 1.0);
-    return vec4(1.5, -2.6, 0.0, 1.0);
+    if (i == 6) return vec4(1.5, -2.6, 0.0, 1.0);
+    vec3 foot = vec3(clamp(light().xy, vec2(-1.9), vec2(1.9)), 0.0);
+    return line_label(i == 7 ? 1.0 : i == 8 ? 10.0 : i == 9 ? 100.0 : 1000.0, foot, vec3(-1.9, -1.9, 0.0));
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1))),
@@ -214,7 +231,8 @@ vec4 probe(int i) {
             Mark("plumb line", colour="quiet", line="dotted", width=0.7),
             Mark("the light", colour="l", tip="sun", segments=32, width=1.2),
         ),
-        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100", 5), Label("1000 W/m²", 6)),
+        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100", 5), Label("1000 W/m²", 6),
+                Label("1", 7), Label("10", 8), Label("100", 9), Label("1000", 10)),
         handles=(Handle("the light", 0, ("theta", "phi")), Handle("its distance", 1, ("distance",))),
         camera=Camera(azimuth=-78, elevation=34, distance=10.0, target=(0.0, -0.2, 0.3)),
     ),
@@ -223,6 +241,7 @@ vec4 probe(int i) {
         sweep="distance",
         curves=(
             Curve("I cos θ / r²", Term("irradiance_positional", {"source_radius": 0.0})),
+            Curve("facing the light", Term("irradiance_positional", {"source_radius": 0.0, "theta": 0.0})),
             Curve("r not below r₀", Term("irradiance_positional"), role="estimate"),
             Curve("windowed (Karis)", Term("irradiance_windowed"), role="printed"),
         ),
@@ -394,6 +413,7 @@ while you turn the exponent: the solid grows longer as it grows thinner. Its vol
 #include "core/angle.glsl"
 #include "display/look.glsl"
 #include "display/scale.glsl"
+#include "display/line_label.glsl"
 uniform int distribution;
 uniform float exponent;
 uniform float radiant_flux;
@@ -410,13 +430,16 @@ vec3 surface_point(int surface, vec2 s) {
     return lamp() + 0.55 * photometric_solid(distribution, exponent, s.x, s.y);
 }
 
+float shown_value(vec3 p) {
+    vec3 way = lamp() - p;
+    float intensity = radiant_intensity_of(radiant_flux, distribution, exponent, arctan2(length(way.xy), way.z));
+    return irradiance_at(p, p.y < 2.0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0), lamp(), intensity, 1e-3);
+}
+
 vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 3) return soft_light(palette[COLOUR_L], s.normal, s.v);
-    vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0), way = lamp() - s.position;
-    float theta = arctan2(length(way.xy), way.z);
-    float intensity = radiant_intensity_of(radiant_flux, distribution, exponent, theta);
-    float found = irradiance_at(s.position, n, lamp(), intensity, 1e-3);
+    float found = shown_value(s.id == 0 ? vec3(s.position.xy, 0.0) - vec3(0.0, 1e-5, 0.0) : vec3(s.position.x, 2.0, s.position.z));
     return found < 0.0 ? vec3(-1.0) : decades(found, -1.0, 2.0); // the stage draws and counts what is negative
 }
 
@@ -430,13 +453,14 @@ vec4 probe(int i) {
     if (i == 2) return vec4(-1.6, -2.6, 0.0, 1.0);
     if (i == 3) return vec4(-0.5333, -2.6, 0.0, 1.0);
     if (i == 4) return vec4(0.5333, -2.6, 0.0, 1.0);
-    return vec4(1.5, -2.6, 0.0, 1.0);
+    if (i == 5) return vec4(1.5, -2.6, 0.0, 1.0);
+    return line_label(i == 6 ? 1.0 : 10.0, vec3(0.0, 0.9, 0.0), vec3(-1.9, -1.9, 0.0));
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("wall", cells=(2, 2)), Surface("scale", cells=(2, 1)),
                   Surface("photometric solid", cells=(64, 96), opacity=0.8)),
         marks=(Mark("axis", colour="quiet", line="dashed"),),
-        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
+        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5), Label("1", 6), Label("10", 7)),
         handles=(Handle("the lamp", 0, ("light_height",)), Handle("the peak", 1, ("exponent",))),
         camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
     ),
@@ -479,6 +503,7 @@ IES_FILES = ("downlight", "wall_washer", "street_light", "flood", "uplight", "ba
 IES_GLSL = """
 #include "optics/ies.glsl"
 #include "display/look.glsl"
+#include "display/line_label.glsl"
 uniform sampler2D table;
 uniform float height;
 uniform float setback;
@@ -529,11 +554,14 @@ vec3 lux_colour(float lux) {
     return mix(colormap(g / DECADES), background, line * strong);
 }
 
+float shown_value(vec3 p) {
+    return ies_room_illuminance(table, height, setback, turn, aim, p.x, p.y < 0.0 ? p.y : max(p.z, 1e-6));
+}
+
 vec3 shade(Surface s) {
     if (s.id == 3) return soft_light(palette[COLOUR_L], s.normal, s.v);
     if (s.id == 2) return lux_colour(pow(10.0, DECADES * s.st.y));
-    float along = s.id == 0 ? min(s.position.y, 0.0) : max(s.position.z, 1e-6);
-    return lux_colour(ies_room_illuminance(table, height, setback, turn, aim, s.position.x, along));
+    return lux_colour(shown_value(s.id == 0 ? s.position - vec3(0.0, 1e-6, 0.0) : vec3(s.position.x, 0.0, s.position.z)));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -547,7 +575,9 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(luminaire(), 1.0);
     if (i == 1) return vec4(meter(), 1.0);
-    return vec4(WIDE + 1.12, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
+    if (i < 6) return vec4(WIDE + 1.12, 0.0, HIGH * float(i - 2) / DECADES, 1.0);
+    float lux = i == 6 ? 5.0 : i == 7 ? 10.0 : i == 8 ? 20.0 : i == 9 ? 50.0 : i == 10 ? 100.0 : i == 11 ? 200.0 : 500.0;
+    return line_label(lux, vec3(0.0, -setback, 0.0), vec3(-0.95 * WIDE, -0.9 * DEEP, 0.0));
 }
 """
 
@@ -588,7 +618,8 @@ Try the [downlight](?luminaire=down), the [street light](?luminaire=street&heigh
             Mark("normal of the meter", colour="n", tip="arrow", width=1.2, label="n"),
             Mark("drop", colour="quiet", line="dashed", width=0.7),
         ),
-        labels=(Label("1 lx", 2), Label("10", 3), Label("100", 4), Label("1000", 5)),
+        labels=(Label("1 lx", 2), Label("10", 3), Label("100", 4), Label("1000", 5),
+                *(Label(lux, 6 + i) for i, lux in enumerate(("5", "10", "20", "50", "100", "200", "500")))),
         handles=(Handle("the luminaire", 0, ("height", "setback")), Handle("the lux meter", 1, ("meter_x", "meter_s"))),
         camera=Camera(azimuth=-60, elevation=22, distance=13.6, target=(0.4, -1.0, 1.1)),
         legend=(("l", "photometric solid"), ("n", "normal of the meter")),
@@ -748,13 +779,17 @@ vec3 surface_point(int surface, vec2 s) {
     return LAMP + 1.3 * s.y * ray(surface == 3 ? min(hotspot, falloff) : falloff, 6.2831853 * s.x);
 }
 
+float off_beam(vec3 p) {
+    vec3 d = -direction_to_light(p, LAMP);
+    return arctan2(length(cross(d, AXIS)), dot(d, AXIS));
+}
+
 vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 3) return palette[COLOUR_L];
     if (s.id == 4) return palette[COLOUR_QUIET];
     vec3 n = s.id == 0 || s.id == 5 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0);
-    vec3 d = -direction_to_light(s.position, LAMP);
-    float angle = arctan2(length(cross(d, AXIS)), dot(d, AXIS)), share = 0.0;
+    float angle = off_beam(s.position), share = 0.0;
     if (s.id > 4) share = ies_as_spot(table, angle, hotspot, falloff);
     else share = spot_read(angle, hotspot, falloff, threshold, edge, reading);
     if (!(share >= 0.0 && share < 1e6)) return vec3(share); // the stage draws and counts it
@@ -834,8 +869,8 @@ where the rest went. 6 minutes.
              "The downlight's file is made for this course (lessons/ies)"),
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
-            Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES")),
-            Value("reading", 0, choices=("as meant", "full angles", "plus l·d")),
+            Value("edge", 0, choices=("linear", "smooth", "printed", "IES")),
+            Value("reading", 0, choices=("meant", "full", "sign")),
             Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
@@ -850,13 +885,8 @@ uniform float panel_width;
 uniform float panel_depth;
 uniform float panel_tilt;
 
-vec3 middle() {
-    return vec3(light_x, light_y, light_height);
-}
-
-float tilt() {
-    return light_shape == 1 ? 0.0 : panel_tilt;
-}
+vec3 middle() { return vec3(light_x, light_y, light_height); }
+float tilt() { return light_shape == 1 ? 0.0 : panel_tilt; }
 
 // Around the light with s.x; from its middle to its rim, of a sphere from pole to pole, with s.y.
 vec3 lamp_point(vec2 s) {
@@ -932,6 +962,7 @@ dark. A [sphere](?light_shape=2) shares its flux among four times a disk's area.
 #include "optics/light_shape.glsl"
 #include "optics/spherical.glsl"
 #include "display/scale.glsl"
+#include "display/line_label.glsl"
 uniform int given;
 uniform float amount;
 """ + LIGHT_GLSL + """
@@ -945,13 +976,17 @@ float radiance() {
     return light_radiance(given, amount, light_shape, panel_width, panel_depth);
 }
 
+float shown_value(vec3 p) {
+    return irradiance_light(light_shape, radiance(), light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, p);
+}
+
 vec3 shade(Surface s) {
     if (s.id == 1) return decades(pow(10.0, 3.0 * s.st.x - 1.0), -1.0, 2.0);
     if (s.id == 2) {
         float glow = clamp(0.3 * log(max(radiance(), 1e-3)) / log(10.0), 0.0, 1.0);
         return lamp_colour(s) * mix(0.25, 1.0, min(2.0 * glow, 1.0)) + vec3(max(glow - 0.5, 0.0));
     }
-    return decades(irradiance_light(light_shape, radiance(), light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, s.position), -1.0, 2.0);
+    return decades(shown_value(s.position), -1.0, 2.0);
 }
 
 vec3 mark_point(int mark, float t) {
@@ -962,12 +997,14 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(middle(), 1.0);
     if (i == 1) return vec4(middle() + vec3(0.5 * panel_width, 0.0, 0.0), 1.0);
+    if (i > 5) return line_label(i == 6 ? 1.0 : i == 7 ? 10.0 : 100.0, vec3(light_x, light_y - 0.3, 0.0), vec3(-1.9, -1.9, 0.0));
     return vec4(i == 2 ? -1.6 : i == 3 ? -0.5333 : i == 4 ? 0.5333 : 1.5, -2.6, 0.0, 1.0);
 }
 """,
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("plumb line", colour="quiet", line="dotted", tip="dot", width=0.8)),
-        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
+        labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5),
+                Label("1", 6), Label("10", 7), Label("100", 8)),
         handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
         camera=Camera(azimuth=-80, elevation=30, distance=8.9, target=(0.0, -0.3, 0.25)),
     ),

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from app import optics, shader
-from app.calculator import add_arguments, run
+from app.calculator import add_arguments, opengl, run
 from app.gpu.evaluate import evaluate
-from app.problem import Usage
+from app.problem import Problem, Usage
 from app.quantities import TABLE
 
 
@@ -45,6 +45,25 @@ def test_one_backend(backend, there, absent):
     said = ask("solid_angle_sphere", "radius=1", "distance=2", "--backend", backend)
     assert there in said
     assert absent not in said
+
+
+def test_without_opengl_python_answers_alone_and_says_so_once(monkeypatch, capsys):
+    def none():
+        raise Problem("OpenGL 3.3 could not be started.")
+
+    monkeypatch.setattr("app.gpu.context.context", none)
+    opengl.cache_clear()
+    try:
+        said = ask("solid_angle_cone", "half_angle=180deg")
+        assert "12.566370614359172" in said and "GLSL" not in said
+        case = '{"function": "solid_angle_cone", "args": {"half_angle": 1}}'
+        assert all("value" in a and "glsl" not in a for a in ask_cases(monkeypatch, f"[{case}, {case}]"))
+        assert capsys.readouterr().err == "halfway: no float32 answers by GLSL: OpenGL 3.3 could not be started.\n"
+        monkeypatch.setattr("app.gpu.evaluate.context", none)
+        with pytest.raises(Problem, match="could not be started"):
+            ask("solid_angle_cone", "half_angle=180deg", "--backend", "glsl")
+    finally:
+        opengl.cache_clear()
 
 
 def test_cases_from_json(monkeypatch):

@@ -107,6 +107,13 @@ def test_without_a_display_the_lessons_become_pictures(capsys, monkeypatch, job)
     assert (code, err, len(calls)) == (3, "", 1) and out.count("\n") == 1 and "no display" in out
 
 
+def test_a_folder_makes_them_pictures_whether_or_not_there_is_a_display(capsys, monkeypatch, job):
+    monkeypatch.setattr(cli, "has_display", lambda: True)
+    calls = job("app.export.gallery", lambda options: 0)
+    assert said(capsys, "--output", "here", "--theme", "light") == (0, "", "")
+    assert [(o.output, o.theme) for o in calls] == [("here", "light")]
+
+
 def test_a_display_is_one_that_opens(monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.setenv("WAYLAND_DISPLAY", "wayland-0")  # imgui-bundle's GLFW speaks X11 only

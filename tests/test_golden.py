@@ -49,6 +49,7 @@ def test_a_garbled_file_is_refused(tmp_path, text):
     assert caught.value.code == 2
     assert str(path) in str(caught.value)
     assert "\n" not in str(caught.value)
+    assert "Error" not in str(caught.value), "in words, not in Python's"
 
 
 def test_a_missing_file_is_refused(tmp_path):

@@ -20,7 +20,7 @@ from app.optics import (
     spot,
 )
 from app.optics import filter as filters
-from app.optics import solid_angle as solid_angles
+from app.optics.solid_angle_flat import solid_angle_rectangle_off_axis
 
 PANEL = {"light_shape": 0, "radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4,
          "panel_depth": 0.9, "panel_tilt": -0.3}
@@ -221,7 +221,7 @@ def test_the_emitters_cosine_is_easily_forgotten():
 def test_the_cells_of_a_spherical_rectangle_are_equal():
     """Each of 8 x 8 cells in (s, t) takes a 64th of the solid angle: the area of its image on the sphere."""
     x0, x1, y0, y1, d = -0.3, 1.7, 0.2, 0.9, 0.4
-    total = solid_angles.solid_angle_rectangle_off_axis(x0, x1, y0, y1, d)
+    total = solid_angle_rectangle_off_axis(x0, x1, y0, y1, d)
     s, t = np.meshgrid((np.arange(8) + 0.5) / 8, (np.arange(8) + 0.5) / 8)
     step = 1e-5
 

@@ -184,6 +184,18 @@ def test_what_is_not_finite_is_counted_and_marked(plots):
     assert near(image, rgb("#FF4FD8"), 2).sum() > 100, "the box of the notice"
 
 
+def test_curves_that_are_0_everywhere_are_told_in_one_sentence():
+    """A logarithmic axis has nothing to show of them; a lamp below the floor makes all of a step's curves so."""
+    from app.plots.curves import nothing_in, notices_of
+
+    plot = Curves("Below the floor", "distance", tuple(
+        Curve(name, Term("irradiance_positional", {"radiant_intensity": 1.0, "theta": theta, "source_radius": 0.01}))
+        for name, theta in (("from behind", 2.0), ("also", 2.5), ("ahead", 0.1))), "", y_scale="log")
+    drawn = Sweep(plot, {}).run({"distance": 1.0})
+    assert nothing_in(drawn) == ["2 of 3 curves are 0 everywhere"] and not any(map(notices_of, drawn))
+    assert nothing_in(drawn[1:]) == ["“also” is 0 everywhere"] and nothing_in(drawn[2:]) == []
+
+
 def test_a_mesh_face_that_is_not_finite_is_told(plots):
     image = drawn(plots, FACES, {"eye": (math.nan, 0.0, 0.0)}, triangles=TETRAHEDRON)
     assert near(image, rgb("#FF4FD8"), 2).sum() > 100

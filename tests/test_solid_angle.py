@@ -6,6 +6,7 @@ import pytest
 from app.gpu.evaluate import evaluate
 from app.optics import projected_solid_angle as projected
 from app.optics import solid_angle as solid
+from app.optics import solid_angle_flat as flat
 from app.optics import spherical, square_patch
 from app.shader import read
 from tests.test_twins import cube
@@ -26,7 +27,7 @@ def test_whole_and_half():
 def test_octants_fill_the_sphere():
     x, y, z = np.eye(3)
     signs = [1 - 2 * np.array(s) for s in np.ndindex(2, 2, 2)]
-    assert sum(solid.solid_angle_triangle(s * x, s * y, s * z) for s in signs) == pytest.approx(4 * np.pi)
+    assert sum(flat.solid_angle_triangle(s * x, s * y, s * z) for s in signs) == pytest.approx(4 * np.pi)
 
 
 def test_disk_off_axis_meets_the_axis_and_the_rim():
@@ -41,7 +42,7 @@ def test_disk_is_a_polygon_of_many_corners():
     around = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
     for offset, height in ((0.3, 0.4), (1.4, 0.2), (3.0, 0.5), (0.5, 4.0)):
         corners = np.stack([np.cos(around) + offset, np.sin(around), np.full(2000, height)], -1)
-        assert solid.solid_angle_polygon(corners, 2000) == pytest.approx(
+        assert flat.solid_angle_polygon(corners, 2000) == pytest.approx(
             solid.solid_angle_disk(1, height, offset), rel=1e-5)
         assert projected.projected_solid_angle_polygon(corners, 2000) == pytest.approx(
             projected.projected_solid_angle_disk(1, height, offset), rel=1e-5)
@@ -49,16 +50,16 @@ def test_disk_is_a_polygon_of_many_corners():
 
 def test_polygon_is_the_sum_of_its_triangles_also_when_it_is_hollow():
     arrow = np.array([[0, 0, 1], [2, -1, 1], [0.5, 0, 1], [2, 1, 1]], float)
-    halves = solid.solid_angle_triangle(*arrow[[0, 1, 2]]) + solid.solid_angle_triangle(*arrow[[0, 2, 3]])
-    assert solid.solid_angle_polygon(arrow, 4) == pytest.approx(halves)
-    assert solid.solid_angle_polygon(np.roll(arrow, 1, 0), 4) == pytest.approx(halves)
+    halves = flat.solid_angle_triangle(*arrow[[0, 1, 2]]) + flat.solid_angle_triangle(*arrow[[0, 2, 3]])
+    assert flat.solid_angle_polygon(arrow, 4) == pytest.approx(halves)
+    assert flat.solid_angle_polygon(np.roll(arrow, 1, 0), 4) == pytest.approx(halves)
 
 
 def test_rectangle_by_three_routes():
     for x0, x1, y0, y1, d in ((-1, 2, -0.5, 1, 0.7), (0.2, 3, -1, 2, 0.1), (-3, -1, 0.5, 2, 1), (1, 1.5, -4, -2, 0.3)):
         corners = np.array([[x0, y0, d], [x1, y0, d], [x1, y1, d], [x0, y1, d]])
-        assert solid.solid_angle_rectangle_off_axis(x0, x1, y0, y1, d) == pytest.approx(
-            solid.solid_angle_polygon(corners, 4), rel=1e-13)
+        assert flat.solid_angle_rectangle_off_axis(x0, x1, y0, y1, d) == pytest.approx(
+            flat.solid_angle_polygon(corners, 4), rel=1e-13)
         assert projected.projected_solid_angle_rectangle(x0, x1, y0, y1, d) == pytest.approx(
             projected.projected_solid_angle_polygon(corners, 4), rel=1e-13)
 
@@ -66,7 +67,7 @@ def test_rectangle_by_three_routes():
 def test_mesh_inside_outside_and_on_it():
     eyes = np.array([[0, 0, 0], [0.9, 0.5, -0.3], [3, 0, 0], [1, 0.2, 0.1], [1, 1, 0.2], [1, 1, 1]], float)
     parts = np.array([1, 1, 0, 1 / 2, 1 / 4, 1 / 8])
-    assert solid.solid_angle_mesh(cube(), eyes) == pytest.approx(4 * np.pi * parts, abs=1e-14)
+    assert flat.solid_angle_mesh(cube(), eyes) == pytest.approx(4 * np.pi * parts, abs=1e-14)
     in_float32 = evaluate("solid_angle_mesh", {"triangles": cube(), "eye": eyes})
     assert in_float32 == pytest.approx(4 * np.pi * parts, abs=1e-5)
 
@@ -86,7 +87,7 @@ def test_patch_does_not_care_where_it_is():
     around = ((0, 0), (1, 0), (1, 1), (0, 1))
     corners = np.stack([square_patch.patch_point(theta, phi, 1.3, 0.7, 0.9, s, t) for s, t in around], -2)
     exact = square_patch.solid_angle_patch(1.3, 0.7, 0.9)
-    assert solid.solid_angle_polygon(corners, 4) == pytest.approx(np.full(20, exact), rel=1e-13)
+    assert flat.solid_angle_polygon(corners, 4) == pytest.approx(np.full(20, exact), rel=1e-13)
     shadow = square_patch.projected_solid_angle_patch(theta, 1.3, 0.7, 0.9)
     assert projected.projected_solid_angle_polygon(corners, 4) == pytest.approx(shadow, rel=1e-12, abs=1e-15)
     normal = square_patch.patch_normal(theta, phi, 0.7)
@@ -124,7 +125,7 @@ def test_small_triangles_keep_float32():
     corners = [square_patch.patch_point(theta, phi, 1.0, 0.0, size, s, t) for s, t in ((0, 0), (1, 0), (0.4, 1))]
     corners = [c.astype(np.float32).astype(float) for c in corners]
     got = evaluate("solid_angle_triangle", dict(zip("abc", corners, strict=True)))
-    assert np.max(np.abs(got / solid.solid_angle_triangle(*corners) - 1)) < 1e-6
+    assert np.max(np.abs(got / flat.solid_angle_triangle(*corners) - 1)) < 1e-6
 
 
 @pytest.mark.parametrize(("y", "x"), [(0, 0), (0, 1), (0, -1), (1, 0), (-1, 0), (1e-30, -1e-30), (3e-20, 1)])

@@ -248,3 +248,46 @@ def test_a_mistake_in_a_scene_names_the_lessons_line(ctx):
         build(SQUARE + "vec3 shade(Surface s) {\n    return vec3(brightness);\n}")
     with pytest.raises(Problem, match=r"glsl/stage/shade\.frag, line \d+: .*shade"):
         build(SQUARE)
+
+
+# --- what scenes are drawn with --------------------------------------------------------------------------------------
+def test_a_value_of_the_corners_arrives_between_them(ctx):
+    glsl = SQUARE + ("vec4 surface_value(int surface, vec2 s) { return vec4(s.x, 3.0 * s.y, s.x * s.y, 7.0); }\n"
+                     "vec3 shade(Surface s) { return vec3(s.value.xy, s.value.z); }")
+    stage, size = build(glsl), (64, 48)
+    picture(stage, {}, size=size)
+    for at in ((0.4, 0.45), (0.55, 0.6)):
+        found = pick(stage, {}, ABOVE, DARK, at)
+        s = (np.array(found.position[:2]) + 1) / 2
+        np.testing.assert_allclose(found.radiance[:2], (s[0], 3 * s[1]), atol=1e-5)
+        assert abs(found.radiance[2] - s[0] * s[1]) > 0.01, "one cell: between its corners linear"
+    glsl = "vec3 mesh_point(int i, vec3 p) { return p; }\n" \
+           "vec4 mesh_value(int i, vec3 p, int face) { return vec4(float(face)); }\n" \
+           "vec3 shade(Surface s) { return s.value.xyz - float(s.face); }"
+    mesh = build(glsl, cube(), surfaces=(Surface("cube", mesh=True),))
+    picture(mesh)
+    assert pick(mesh, {}, ABOVE, DARK, (0.45, 0.45)).radiance == (0.0, 0.0, 0.0)
+
+
+def test_a_ball_is_the_true_sphere_at_each_pixel(ctx):
+    """Few cells towards the eye; the normal is where the pixel's ray meets the sphere, to float32."""
+    glsl = ('#include "display/balls.glsl"\nconst vec3 C = vec3(0.2, -0.1, 0.3);\n'
+            "vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, C, 0.8); }\n"
+            "vec3 shade(Surface s) { return ball_normal((s.position - C) / 0.8, s.v); }")
+    stage, size, centre = build(glsl, surfaces=(Surface("ball", cells=(48, 3)),)), (40, 32), np.array([0.2, -0.1, 0.3])
+    picture(stage, {}, SIDE, size)
+    eye, way = rays(SIDE, size)
+    seen = 0
+    for row, column in np.ndindex(size[::-1]):
+        d = way[row, column]
+        b = d @ (centre - eye)
+        under = b * b - (centre - eye) @ (centre - eye) + 0.64
+        if abs(under) < 0.01:
+            continue  # the rim, of 48 sides
+        found = pick(stage, {}, SIDE, DARK, ((column + 0.5) / size[0], (row + 0.5) / size[1]))
+        assert (found is not None) == (under > 0)
+        if found:
+            normal = (eye + (b - np.sqrt(under)) * d - centre) / 0.8
+            np.testing.assert_allclose(found.radiance, normal, atol=2e-5)
+            seen += 1
+    assert seen > 100

@@ -8,6 +8,7 @@ import pytest
 from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
+from app.catalog import chapters
 from app.gpu.stage import Faults
 from app.theme import THEMES
 from app.viewer import style, text_panel
@@ -130,7 +131,7 @@ def test_the_picture_turns_zooms_and_is_read():
         engine.key_press(imgui.Key.mod_ctrl | imgui.Key.z, 3)
         assert window.session.view == view
         frames(engine)
-        inside = 0.4 * window.scene.points["handle the patch"] + 0.6 * window.scene.points["label A"]
+        inside = 0.4 * window.scene.points["handle the patch"] + 0.6 * window.scene.points["label 3"]
         engine.mouse_teleport_to_pos(place(window, inside))
         engine.mouse_click(0)
         frames(engine)
@@ -251,10 +252,11 @@ def test_a_link_of_the_prose_sets_the_scene():
 
 @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
 @pytest.mark.parametrize("theme", THEMES)
-def test_every_step_shows_in_every_theme(theme, size):
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda chapter: chapter.id)
+def test_every_step_shows_in_every_theme(chapter, theme, size):
     def test(engine, window):
         window.set_theme(theme)
-        for number in range(len(window.session.steps)):
+        for number in range(len(chapter.chapter.steps)):
             frames(engine, 3)
             assert not window.fault and window.scene.faults == Faults(), window.session.current.id
             for column in ("Text", "Scene", "Plot"):
@@ -263,11 +265,11 @@ def test_every_step_shows_in_every_theme(theme, size):
             if size == (1280, 720):
                 until(engine, window, lambda: window.plot.of == window.session.current.id)
                 assert not window.plot.fault
-            if number + 1 < len(window.session.steps):
+            if number + 1 < len(chapter.chapter.steps):
                 engine.key_press(imgui.Key.page_down)
                 frames(engine, 2)
 
-    drive(test, start="solid_angle/angle", size=size)
+    drive(test, start=f"{chapter.id}/{chapter.chapter.steps[0].name}", size=size)
 
 
 def test_a_formula_wider_than_its_column_is_made_smaller():

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from imgui_bundle import imgui
+from imgui_bundle import hello_imgui, imgui
 
 from app import locale_alias
 from app.gpu.context import context
@@ -26,8 +26,15 @@ def drive(
     window.jobs = []
     glfw.without_display()
     glfw.without_depth()
+
+    def patiently(engine) -> None:
+        """Its watchdog ends a test after a minute, and a walk through the whole course takes longer."""
+        io = imgui.test_engine.get_io(hello_imgui.get_imgui_test_engine())
+        io.config_watchdog_warning = io.config_watchdog_kill_test = 3600.0
+        test(engine, window)
+
     try:
-        testing.run(test_function=lambda engine: test(engine, window), runner_params=params, add_ons_params=add_ons)
+        testing.run(test_function=patiently, runner_params=params, add_ons_params=add_ons)
     finally:
         context.cache_clear()  # the null platform has closed the display it shares with the surfaceless context
     return window

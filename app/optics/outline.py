@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.solid_angle import solid_angle_face, solid_angle_polygon_naive
+from app.optics.solid_angle_flat import solid_angle_face, solid_angle_polygon_naive
 
 
 def _corners(corners, size, distance, x, y):

@@ -6,7 +6,7 @@ This is the irradiance a source of radiance 1 gives to a surface at the origin.
 import numpy as np
 from numpy import pi
 
-from app.optics.solid_angle import _dot
+from app.optics.solid_angle_flat import _dot
 from app.quadrature import gauss_legendre
 
 _AT, _WEIGHT = gauss_legendre(8)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.optics.solid_angle import _dot
+from app.optics.solid_angle_flat import _dot
 
 
 def direction_to_light(position, light_position):

@@ -9,7 +9,7 @@ import numpy as np
 from app.optics.area_light import panel_point, panel_view
 from app.optics.light_samples import concentric_disk, light_sample
 from app.optics.light_shape import DISK, POLYGON, SPHERE, light_area
-from app.optics.solid_angle import solid_angle_rectangle_off_axis
+from app.optics.solid_angle_flat import solid_angle_rectangle_off_axis
 from app.optics.spherical_rectangle import spherical_rectangle_point
 
 _RIM = np.array([[0.5, 0.4], [0.3, 1.0], [-0.3, 1.0], [-0.5, 0.4]])  # of the pentagon, from its first corner

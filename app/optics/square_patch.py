@@ -7,7 +7,7 @@ turns it about the horizontal axis through its centre. Only what the horizon cut
 import numpy as np
 
 from app.optics.projected_solid_angle import _AT, _WEIGHT, projected_solid_angle_polygon
-from app.optics.solid_angle import solid_angle_rectangle_beside, solid_angle_rectangle_off_axis
+from app.optics.solid_angle_flat import solid_angle_rectangle_beside, solid_angle_rectangle_off_axis
 from app.optics.spherical import direction, direction_phi, direction_theta, fibonacci_direction
 
 

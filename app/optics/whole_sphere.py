@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from app.optics.solid_angle import solid_angle_cone, solid_angle_mesh
+from app.optics.solid_angle import solid_angle_cone
+from app.optics.solid_angle_flat import solid_angle_mesh
 
 
 def plane_angle(half_angle):

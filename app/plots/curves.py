@@ -93,7 +93,7 @@ class CurvesPart:
                 line.update(along(self.x, at, ends), along(y, at, ends))  # VTK leaves a gap where a line is NaN
             if line is not None:
                 line.visible = bool(np.isfinite(y).any())
-        notices = [words for curve in self.drawn for words in notices_of(curve)]
+        notices = [*nothing_in(self.drawn), *(words for curve in self.drawn for words in notices_of(curve))]
         low, high = self.sweep.axis.ends
         slack = 1e-9 * (high - low)
         now = float(self.sweep.axis.place(self.shown(values[self.plot.sweep])))
@@ -172,12 +172,21 @@ def spaced(places: np.ndarray, apart: float) -> np.ndarray:
     return np.reshape(kept, (-1, 2))
 
 
+def nothing_in(curves: list[Swept]) -> list[str]:
+    """One short sentence for all curves of which a logarithmic axis has nothing to show."""
+    labels = [f"“{c.curve.label}”" for c in curves if c.not_positive and c.not_positive == len(c.y)]
+    if not labels:
+        return []
+    which = f"{labels[0]} is" if len(labels) == 1 else f"{len(labels)} of {len(curves)} curves are"
+    return [f"{which} 0 everywhere"]
+
+
 def notices_of(curve: Swept) -> list[str]:
     found = []
     count = int(curve.not_finite.sum())
     if count:
         found.append(f"“{curve.curve.label}”: {count} {'point is' if count == 1 else 'points are'} not finite")
-    if curve.not_positive:
+    if 0 < curve.not_positive < len(curve.y):
         found.append(f"“{curve.curve.label}”: {curve.not_positive} not above 0, off a logarithmic axis")
     return found
 

@@ -53,7 +53,7 @@ class FacesPart:
             for side, opacity in (("front", 1.0), ("back", 0.72))]
 
     def update(self, values: dict, camera: Camera | None) -> list[str]:
-        from app.optics.solid_angle import solid_angle_triangle_signed
+        from app.optics.solid_angle_flat import solid_angle_triangle_signed
 
         self.eye = np.asarray(values["eye"], float)
         with np.errstate(all="ignore"):  # what is not finite is counted and shown

@@ -14,8 +14,8 @@ float slope_squared(vec3 n, vec3 h) {
 float d_beckmann_slope(float slope2, float m) {
     // Distribution Term (2): Beckmann and Spizzichino 1963; half of the exponent twice, so that nothing leaves the range
     m = max(m, SMOOTHEST);
-    float root = exp(-0.5 * slope2 / m / m) * (1.0 + slope2);
-    return root / (PI * m * m) * root;
+    float k = 1.0 / (m * m), root = exp(-0.5 * k * slope2) * (1.0 + slope2);
+    return root * (k / PI) * root;
 }
 
 float d_beckmann(vec3 n, vec3 h, float m) {

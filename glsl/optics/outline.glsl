@@ -1,5 +1,5 @@
 #include "core/constants.glsl"
-#include "optics/solid_angle.glsl"
+#include "optics/solid_angle_flat.glsl"
 
 vec3 outline_corner(vec2 corner_a, vec2 corner_b, vec2 corner_c, vec2 corner_d, vec2 corner_e, int corner_count, float size, float distance, int index) {
     // Solid Angles: a corner of the outline in the plane z = distance, counted around

@@ -1,6 +1,6 @@
 #include "core/constants.glsl"
 #include "core/angle.glsl"
-#include "optics/solid_angle.glsl"
+#include "optics/solid_angle_flat.glsl"
 
 // Gauss-Legendre, 8 points on [0, 1]
 const float GAUSS_AT[8] = float[8](0.0198550718, 0.1016667613, 0.2372337950, 0.4082826788, 0.5917173212, 0.7627662050, 0.8983332387, 0.9801449282);

@@ -1,6 +1,6 @@
 #include "core/constants.glsl"
 #include "optics/spherical.glsl"
-#include "optics/solid_angle.glsl"
+#include "optics/solid_angle_flat.glsl"
 #include "optics/projected_solid_angle.glsl"
 
 vec3 patch_point(float theta, float phi, float distance, float tilt, float width, float s, float t) {

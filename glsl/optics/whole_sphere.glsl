@@ -1,5 +1,6 @@
 #include "core/constants.glsl"
 #include "optics/solid_angle.glsl"
+#include "optics/solid_angle_flat.glsl"
 
 float plane_angle(float half_angle) {
     // Basic Concepts: an angle of the circle, opened to both sides

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from app.gpu.evaluate import evaluate
+from app.optics import arguments
 from app.problem import Problem, Usage
 from app.tolerance import FACTOR, TERMS, U, moved, ratio
 from tests.reference.mapping import Twin, mapped
@@ -20,13 +21,16 @@ from tests.reference.mapping import Twin, mapped
 
 def read(path: Path) -> list[dict]:
     try:
-        records = json.loads(path.read_text(encoding="utf-8"))["values"]
+        whole = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise Usage(f"{path} cannot be read: {error.strerror}.") from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise Usage(f"{path} is not a file of stored values ({type(error).__name__}: {error}).") from None
+    except UnicodeDecodeError:
+        raise Usage(f"{path} is not a file of stored values: it is no UTF-8 text.") from None
+    except json.JSONDecodeError as error:
+        raise Usage(f"{path} is not a file of stored values: line {error.lineno} is no JSON ({error.msg}).") from None
+    records = whole.get("values") if isinstance(whole, dict) else None
     if not isinstance(records, list):
-        raise Usage(f"{path} is not a file of stored values: `values` is no list.")
+        raise Usage(f"{path} is not a file of stored values: it has no list `values`.")
     for number, record in enumerate(records):
         if not isinstance(record, dict) or not {"name", "inputs", "value"} <= record.keys():
             raise Usage(f"{path}, record {number}: it needs name, inputs and value.")
@@ -70,8 +74,10 @@ def check(record: dict, twin: Twin) -> tuple[float, float]:
         in_float64 = stored_ratio(twin, args, value, cond)
         rounded = {k: np.asarray(v, np.float32).astype(float) if v.dtype.kind == "f" else v for k, v in args.items()}
         in_float32 = float(ratio(twin.function, rounded, evaluate(twin.function, rounded)))
-    except (TypeError, KeyError) as error:
-        raise Usage(f"{record['name']}: its inputs do not fit {twin.function} ({error}).") from None
+    except (TypeError, KeyError):
+        given = ", ".join(record["inputs"]) or "none"
+        raise Usage(f"{record['name']}: its inputs ({given}) do not fit {twin.function}, which takes "
+                    f"{', '.join(arguments(twin.function))}.") from None
     return in_float64, in_float32
 
 
