@@ -229,6 +229,10 @@ def off_the_horizon(a: dict, rng) -> dict:
 def wider_than_a_step(a: dict, rng) -> dict:
     """Facets wide enough that float32 knows where in their lobe a bump lies."""
     return a | {"m": f32(np.maximum(a["m"], 0.05)), "facets": np.minimum(a["facets"], 3000)}
+def above_the_floor(a: dict, rng) -> dict:
+    """Globes that hang free, seen from within a room: from afar the cosine of their slant is rounding."""
+    near = {name: f32(np.clip(a[name], -4, 4)) for name in ("from_wall", "along_wall")}
+    return a | near | {"source_radius": f32(np.minimum(a["source_radius"], 0.5))}
 
 
 JOINT = {  # arguments that belong together
@@ -261,6 +265,7 @@ JOINT = {  # arguments that belong together
     "light_sample": of_its_level,
     "paint_measured": a_lamp_above,
     "stratified_sample": of_its_level,
+    "lamps_illuminance_by_area": above_the_floor,
     "meets_patch": unit,
     "radiance_sensor": opened,
     "radiance_sensor_projected": opened,
