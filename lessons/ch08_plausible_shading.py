@@ -606,7 +606,7 @@ drop a mesh of your own on the window.
 uniform float theta_l, theta_v, phi, m, f0, rho;
 uniform int shows;
 
-const float SIZE = 0.92, APART = 1.04;
+const float SIZE = 0.92;
 
 vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
 
@@ -615,11 +615,11 @@ vec3 lamp() {
     return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
 }
 
-vec3 ball() { return -APART * aside() - 0.22 * up(); }
+vec3 ball() { return -0.86 * aside() - 0.58 * up(); }
 
 vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, ball(), SIZE); }
 
-vec3 mesh_point(int surface, vec3 p) { return SIZE * p + APART * aside() - 0.22 * up(); }
+vec3 mesh_point(int surface, vec3 p) { return SIZE * p + 0.88 * aside() + 0.44 * up(); }
 
 vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
 
@@ -667,7 +667,7 @@ vec4 probe(int i) {
                Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
         handles=(Handle("the picked point", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
         legend=(("n", "the same normal"),),
-        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=4.9),
+        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3),
         meshes=("knot", "bowl", "sphere", "cube"),
     ),
     plot=(
@@ -685,7 +685,7 @@ vec4 probe(int i) {
         Readout("F", Term("schlick_at"), unit=""), Readout("f, all together", Term("brdf_coated", {"coupling": 3}), unit="1/sr"),
     ),
     ask=Prediction(
-        question="Plastic, F₀ = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
+        question="Plastic, F(0) = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
                  "sides. How many times larger is D G F / 4 (n·l)(n·v) now?",
         truth=Term("mirror_gain", {"theta": PI / 3, "f0": 0.04}),
         unit="times", low=1.0, high=20.0, scale="log",
@@ -702,11 +702,11 @@ facets crowd into less projected area. Then change the shape: the rings wander, 
              "Shirley et al. 1997; Kelemen & Szirmay-Kalos 2001: the body", "Schlick 1994"),
     honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far, and the light goes "
             "with the point. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
-    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "D G F / 4 (n·l)(n·v)", "body", "n", "h")),
-            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube")),
+    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "quotient", "body", "n", "h")),
+            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube"), more=True),
             Value("m", 0.25, low=0.05, high=1.0), Value("f0", 0.04, low=0.02, high=0.95),
-            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 44.0, low=0.0, high=85.0, more=True),
-            Value("phi", 115.0, more=True), Value("rho", 0.6, more=True)),
+            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 38.0, low=0.0, high=85.0, more=True),
+            Value("phi", 132.0, more=True), Value("rho", 0.6, more=True)),
     minutes=8,
 )
 
@@ -790,7 +790,7 @@ vec4 probe(int i) {
                Mark("near to far", colour="quiet", width=1.5), Mark("how far", colour="v", tip="dot", width=2.0)),
         labels=(Label("near", 2), Label("far", 3), Label("filtered", 4, "estimate"), Label("N places", 5), Label("one place", 6, "printed")),
         handles=(Handle("the distance", 0, ("bumps",)), Handle("the ring", 1, ("theta_h",))),
-        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.14), field_of_view=4.0),
+        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.2), field_of_view=4.2),
     ),
     plot=(
         Curves(
@@ -847,7 +847,7 @@ TEXTURING = Step(
     slides=("Plausible Shading - Texturing",),
     prose=r"""
 No surface is the same all over. Lay on one map after the other: [none](?map_layers=0), [albedo](?map_layers=1),
-[F₀](?map_layers=2), which turns the ornament into gold, [roughness](?map_layers=3), the wiping of a cloth, and
+[F(0)](?map_layers=2), which turns the ornament into gold, [roughness](?map_layers=3), the wiping of a cloth, and
 [normals](?map_layers=4), its relief.
 
 A file stores numbers from 0 to 1. Which light do they mean? Albedo and $F_0$ are $\colour{l}{\text{colours}}$, stored as sRGB
@@ -909,10 +909,10 @@ vec4 probe(int i) {
                   Surface("plate", cells=(1, 1))),
         marks=(Mark("lamp", colour="l", line="dotted", tip="sun"), Mark("point", colour="exact", segments=32, width=1.4),
                Mark("point on the map", colour="exact", segments=24)),
-        labels=(Label("albedo", 2, "l"), Label("F₀", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
+        labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
         handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
-        legend=(("l", "a colour: decode it"), ("v", "a number: do not")),
-        camera=Camera(azimuth=-90, elevation=58, distance=12, target=(0.06, -0.06, 0.12), field_of_view=12.5),
+        legend=(("l", "colour: decode"), ("v", "number: as it is")),
+        camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
     ),
     plot=(
         Curves(
@@ -935,7 +935,7 @@ vec4 probe(int i) {
         question="A roughness map stores 0.5, and the program decodes it as if it were an sRGB colour. How many times too bright is the "
                  "middle of the highlight?",
         truth=Term("peak_gain", {"encoded": 0.5}),
-        unit="times", low=1.0, high=30.0, scale="log",
+        unit="times", low=1.0, high=100.0, scale="log",
         sets={"map_trap": 1},
         told="5.5 times: 0.5 is decoded to 0.21, and the peak goes with 1 / m².",
     ),
@@ -949,8 +949,8 @@ stored values, mean the light, compare. 6 minutes.
     sources=("Deck, slide Plausible Shading - Texturing", "IEC 61966-2-1", "Deck, slide Distribution Term (2): the peak of D"),
     honesty="The maps are formulas of this page, not scans. Numbers are exact. The picture has one point light, an even room in place "
             "of mirror images, V-groove masking of the mean normal, no shadows in the relief, and light bent to the screen.",
-    values=(Value("map_layers", 4, choices=("none", "albedo", "+ F₀", "+ roughness", "+ normals")),
-            Value("map_trap", 0, choices=("all as meant", "roughness as sRGB", "normals as sRGB", "colours as numbers")),
+    values=(Value("map_layers", 4, choices=("none", "albedo", "F(0)", "rough", "normal")),
+            Value("map_trap", 0, choices=("nothing", "roughness", "normals", "colours")),
             Value("light_x", 0.55, low=-0.8, high=1.6, more=True), Value("light_y", 0.45, low=-1.2, high=1.4, more=True),
             Value("map_s", 0.42, more=True), Value("map_t", 0.55, more=True), Value("encoded", 0.5, low=0.02, more=True)),
     minutes=6,
@@ -976,6 +976,13 @@ BODY_GLSL_SOLVED = BODY_GLSL_HEAD + """    vec2 c = vec2(n_dot_l, n_dot_v), x = 
 }
 """
 
+SCALE_HEAD_PYTHON = """import numpy as np
+
+def m_effective(m, bump_slope):
+    # The roughness m of a bumpy surface from afar; bump_slope is the bumps' RMS slope along one axis. Arrays (...).
+"""
+SCALE_HEAD_GLSL = "float m_effective(float m, float bump_slope) {\n"
+
 CHAPTER = Chapter(
     title="Plausible shading",
     idea="Right units, a balanced material and a camera make a picture one can believe.",
@@ -995,10 +1002,28 @@ CHAPTER = Chapter(
                 Check({"n_dot_l": (0.05, 0.9), "n_dot_v": (0.6, 0.01), "rho": (0.9, 0.3), "f0": (0.08, 0.5)}, "grazing", hidden=True),
             ),
         ),
+        Exercise(
+            name="from_afar",
+            function="m_effective",
+            task="Bumps too small to be seen become roughness: write m_eff. Mind along how many axes each slope is counted.",
+            slide=PLAUSIBLE("The Scale Effect"),
+            stubs={"python": SCALE_HEAD_PYTHON + "    return m + 0 * bump_slope\n",
+                   "glsl": SCALE_HEAD_GLSL + "    return m;\n}\n"},
+            solutions={"python": SCALE_HEAD_PYTHON + "    return np.sqrt(m**2 + 2 * bump_slope**2)\n",
+                       "glsl": SCALE_HEAD_GLSL + "    return sqrt(m * m + 2.0 * bump_slope * bump_slope);\n}\n"},
+            checks=(
+                Check({"m": (0.1, 0.1), "bump_slope": (0.2, 0.05)}, "a polished mirror with bumps"),
+                Check({"m": (0.3, 0.3), "bump_slope": (0.0, 0.01)}, "no bumps, and hardly any"),
+                Check({"m": (0.5, 0.02), "bump_slope": (0.4, 0.3)}, "rough, and nearly smooth", hidden=True),
+            ),
+        ),
     ),
     terms={
         "coat": "a clear layer that mirrors the share F and lets the rest through, in and out",
         "body": "what lies under the coat and sends light back evenly: paint, pigment, skin",
+        "slope variance": "the mean square of slopes along one axis; those of facets and bumps add when a pixel hides both",
+        "aliasing": "what a pixel shows that looks at one place for all of its own: sparkle, moiré, crawling",
+        "sRGB": "how colours are stored: close to what the eye tells apart, not proportional to light",
         "F_avg": "the share of even light that a coat mirrors: F₀ + (1 - F₀) / 21 by Schlick's fit",
     },
 )
