@@ -682,7 +682,7 @@ light, to second bounces. 6 minutes.
     values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0, low=0.0, high=89.5),
             Value("theta_v", 30.0, low=0.0, high=89.5),
             Value("prefactor", 0, choices=("1/4, consistent", "as printed, 1/π")), Value("phi", 140.0, more=True),
-            Value("f0", 0.95, more=True)),
+            Value("f0", 0.95, more=True), Value("lobe_scale", 0, choices=("f", "f n·l", "log f"), more=True)),
     minutes=6,
 )
 
