@@ -165,6 +165,7 @@ PLATE = {"model": 1, "theta_l": math.radians(70), "theta_v": math.radians(40), "
 SWAP = {"model": 0, "phi": 2.5, "k_d": 0.0, "k_s": 1.0, "exponent": 20.0}
 TWO_METRES = {"light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5,
               "panel_width": 2.0, "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
+WHITE = {"theta_v": math.radians(85), "rho": 1.0, "f0": 0.04}
 QUOTED = [  # what the words of a lesson say, the twin that says it too, and how many digits are printed
     ("solid_angle/patch", "0.29, not 0.25", 0.29, 0.005, "solid_angle_patch_ratio",
      {"distance": 1.0, "tilt": 0.0, "width": 1.0}),
@@ -318,6 +319,9 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("fresnel/metals", "0.37 from the measured", 0.37, 0.005, "material_share",
      {"theta": 0.0, "material": 5, "channel": 2}),
     ("fresnel/dielectrics", "2.40; measured", 2.40, 0.005, "eta_from_f0", {"f0": 0.17}),
+    ("fresnel/dielectrics", "and is 0.19", 0.19, 0.005, "material_srgb_of_printed", {"material": 1, "channel": 0}),
+    ("fresnel/dielectrics", "0.21 for 0.190", 0.190, 5e-4, "material_srgb_of_printed", {"material": 1, "channel": 0}),
+    ("fresnel/dielectrics", "is printed as 0.21", 0.21, 1e-12, "material_srgb_printed", {"material": 1, "channel": 0}),
     ("fresnel/schlick", "0.18, near 83°", 0.18, 0.005, "schlick_worst", {"material": 8}),
     ("fresnel/schlick", "For silver it is 0.007", 0.007, 5e-4, "schlick_worst", {"material": 6}),
     ("geometry_term/why", "2.15 times", 2.15, 0.005, "albedo_without_g", {"theta_v": math.radians(85), "m": 0.5}),
@@ -347,6 +351,29 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
     ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
      {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("plausible_shading/compare", "20 times. The mirror's", 20, 0.5, "gain_cook_torrance",
+     {"theta_d": math.radians(75), "material": 2, "channel": 0}),
+    ("plausible_shading/compare", "from 0.05 to 0.27", 0.27, 0.005, "material_share",
+     {"theta": math.radians(75), "material": 2, "channel": 0}),
+    ("plausible_shading/compare", "Blinn-Phong: a quarter", 0.25, 0.01, "gain_blinn_phong",
+     {"theta_d": math.radians(75)}),
+    ("plausible_shading/quantities", "188. Half the light", 188, 0.5, "card_stored",
+     {"luminous_flux": 400.0, "distance": 0.8, "rho": 0.8, "ev100": 4.4, "curve": 0}),
+    ("plausible_shading/quantities", "of 800 lm just fills the sensor", 1.0, 5e-4, "card_exposed",
+     {"luminous_flux": 800.0, "distance": 0.8, "rho": 0.8, "ev100": 4.4}),
+    ("plausible_shading/measuring", "31.8 times", 31.8, 0.05, "luminance_over_inverse_square",
+     {"source_radius": 0.1, "distance": 1.0}),
+    ("plausible_shading/measuring", "250 lm win against 600", 20, 0.5, "lamp_illuminance",
+     {"globe": 2, "luminous_flux": 800.0, "from_wall": 2.0, "along_wall": 0.7}),
+    ("plausible_shading/energy", "1.563 times", 1.563, 5e-4, "albedo_coated", WHITE | {"coupling": 2}),
+    ("plausible_shading/energy", "it is 1.648", 1.648, 5e-4, "albedo_coated", WHITE | {"coupling": 0}),
+    ("plausible_shading/energy", "1 − F(l·h) 1.588", 1.588, 5e-4, "albedo_coated", WHITE | {"coupling": 1}),
+    ("plausible_shading/energy", "In and out: 1.000", 1.0, 5e-4, "albedo_coated", WHITE | {"coupling": 3}),
+    ("plausible_shading/energy", "mirrors 0.65", 0.65, 0.005, "f_schlick",
+     {"l_dot_h": math.cos(math.radians(85)), "f0": 0.04}),
+    ("plausible_shading/energy", "leave it 0.91 and more", 0.91, 0.005, "albedo_body", WHITE | {"coupling": 2}),
+    ("plausible_shading/energy", "1.9 times the light", 1.9, 0.01, "albedo_coated",
+     {"theta_v": 0.0, "rho": 1.0, "f0": 0.9, "coupling": 0}),
 ]
 
 
@@ -389,6 +416,7 @@ SECOND = [  # an exact readout and a second way to it: counting, the float32 twi
     ("geometry_term/masking", "groove_masking", "groove_intercept_printed", {}, 1e-12),
     ("geometry_term/shadowing", "groove_open", "groove_open_counted", {"samples": 20000}, 2e-4),
     ("geometry_term/why", "albedo_without_g", "weak_furnace", {"m": 0.01, "theta_v": 1.2, "geometry": 1}, 1e-6),
+    ("plausible_shading/measuring", "lamps_illuminance", "lamps_illuminance_by_area", {}, 1e-12),
 ]
 
 
