@@ -49,9 +49,7 @@ BALL_GLSL = EYE_GLSL + """
 uniform float theta_l;
 uniform float phi;
 
-vec3 picked() {
-    return cos(theta_v) * eye() + sin(theta_v) * up();
-}
+vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
 
 vec3 lamp() {
     vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
@@ -96,9 +94,7 @@ uniform float m;
 const float SIZE = 1.6;
 const float RELIEF = 0.02; // the ball is a disk before the eye; its depth carries the light, worked out at its corners
 
-vec3 around(float turn) {
-    return cos(turn) * up() + sin(turn) * aside();
-}
+vec3 around(float turn) { return cos(turn) * up() + sin(turn) * aside(); }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 2) return 4.5 * (2.0 * s.x - 1.0) * aside() + 3.5 * (2.0 * s.y - 1.0) * up() - eye();
@@ -226,9 +222,7 @@ const int RAYS = 48;
 
 vec3 way() { return vec3(sin(lean_v), 0.0, cos(lean_v)); }
 
-vec3 start(int ray) {
-    return groove_point(facet, (float(ray) + 0.5) / float(samples));
-}
+vec3 start(int ray) { return groove_point(facet, (float(ray) + 0.5) / float(samples)); }
 
 // Where the ray ends: on the strip before the eye, or on the opposite side
 vec3 end(int ray) {
@@ -381,9 +375,7 @@ vec3 shade(Surface s) {
     return mix(ground, colour, t < 0.0 ? 0.25 + 0.3 * reached : 0.45 + 0.45 * reached);
 }
 
-vec3 edge(float lean) {
-    return groove_point(facet, clamp(groove_hidden(facet, lean), 0.0, 1.0)) + vec3(0.0, 0.0, 0.012);
-}
+vec3 edge(float lean) { return groove_point(facet, clamp(groove_hidden(facet, lean), 0.0, 1.0)) + vec3(0.0, 0.0, 0.012); }
 
 vec3 over(float lean, float y, float t) {
     vec3 foot = edge(lean) + vec3(0.0, y, 0.0), d = way(lean);
