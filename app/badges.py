@@ -12,6 +12,9 @@ L_o; only then can it fail to be linear, and all else is checked at radiance 1.
     linear        L_o / L_i does not depend on L_i, from 1/1000 to 1000: the largest relative change. A tone curve or a
                   clamp fails. For one light this is all of linearity: f L_i is the only such formula; several lights
                   are summed outside of f
+
+Of what is no number nothing is promised: where f is not finite one way round, over a part of the dome, or for one
+radiance, that badge is not kept either, and its worst value is None.
 """
 
 import math
@@ -20,7 +23,7 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from app.furnace import POLES, albedo, first_look
+from app.furnace import PART, POLES, albedo, first_look
 from app.hemisphere import NORMAL
 from app.lesson import Model
 from app.optics import arguments
@@ -33,6 +36,8 @@ SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=T
 ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
                          "Does it send on at most what comes, for every angle?",
                          "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
+UNKNOWN = {"non_negative": "It is no number, or endlessly negative", "reciprocal": "One way round it is no number",
+           "energy": "What it sends on is no number, or endless", "linear": "For some light it is no number"}
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
 VIEWS = np.radians([0, 15, 30, 45, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
@@ -67,7 +72,8 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
     corner = f(NORMAL, corner_l, corner_v)
     every = np.concatenate([value, corner]), np.concatenate([l, corner_l]), np.concatenate([v, corner_v])
     swap = reciprocal(value, swapped, l, v, same)
-    return {"non_negative": non_negative(*every), "reciprocal": swap, "energy": energy(f, swap.ok),
+    sent = energy(f, swap.ok) if np.isfinite(value).all() else dark(f) or energy(f, swap.ok)
+    return {"non_negative": non_negative(*every), "reciprocal": swap, "energy": sent,
             "finite": finite(*every), "linear": linear(reflect, l, v) if of_radiance else Badge(True, 0.0, {})}
 
 
@@ -108,19 +114,33 @@ def angles(l: np.ndarray, v: np.ndarray) -> dict[str, float]:
 def non_negative(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
     i = int(np.argmin(np.nan_to_num(value, nan=np.inf)))
     least = float(value[i])
-    return Badge(not least < 0, least if math.isfinite(least) else None, angles(l[i], v[i]))
+    return Badge(least >= 0, least if math.isfinite(least) else None, angles(l[i], v[i]))
 
 
 def reciprocal(value: np.ndarray, swapped: np.ndarray, l: np.ndarray, v: np.ndarray, same: float) -> Badge:
     """The pair is looked for where something is reflected: a thousandth of the largest value weighs as much."""
-    most, off = np.maximum(abs(value), abs(swapped)), abs(value - swapped)
-    good = np.isfinite(most) & (l[:, 2] > SEEN) & (v[:, 2] > SEEN)
-    if not good.any() or not most[good].any():
+    with np.errstate(all="ignore"):
+        most, off = np.maximum(abs(value), abs(swapped)), abs(value - swapped)
+    seen = (l[:, 2] > SEEN) & (v[:, 2] > SEEN)
+    good, odd = seen & np.isfinite(most), seen & (np.isfinite(value) != np.isfinite(swapped))
+    if odd.any() or not good.any():
+        i = int(np.argmax(odd))
+        return Badge(False, None, angles(l[i], v[i]))
+    if not most[good].any():
         return Badge(True, 0.0, {})
     weighed = np.where(good, off, 0) / (np.where(good, most, 1) + 1e-3 * most[good].max())
     i = int(np.argmax(weighed))
-    worst = float(off[i] / most[i]) if most[i] else 0.0
+    worst = float(off[i] / most[i]) if weighed[i] else 0.0
     return Badge(bool(weighed[i] <= same), worst, angles(l[i], v[i]))
+
+
+def dark(f: Callable) -> Badge | None:
+    """An albedo that is no number: more than PART of an even light meets an f that is not finite."""
+    v, l, weight = first_look(tuple(VIEWS.tolist()))["mirror"]
+    share = weight * np.maximum(l[..., 2], 0)
+    lost = np.sum(np.where(np.isfinite(f(NORMAL, l, v)), 0, share), -1) / np.sum(share, -1)
+    i = int(np.argmax(lost))
+    return Badge(False, None, {"theta_v": float(VIEWS[i])}) if lost[i] > PART else None
 
 
 def energy(f: Callable, is_reciprocal: bool) -> Badge:
@@ -143,7 +163,8 @@ def most(f: Callable, name: str) -> Badge:
     order = np.argsort(theta)
     sure = (values - errors)[order]
     i = order[int(np.argmax(sure >= sure.max() - 4e-4))]  # of equal ones the first
-    return Badge(bool(values[i] - errors[i] <= MOST), float(values[i]), {name: float(theta[i])})
+    worst = float(values[i])
+    return Badge(bool(values[i] - errors[i] <= MOST), worst if math.isfinite(worst) else None, {name: float(theta[i])})
 
 
 def finite(value: np.ndarray, l: np.ndarray, v: np.ndarray) -> Badge:
@@ -156,10 +177,15 @@ def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
     l, v = l[::7], v[::7]
     with np.errstate(all="ignore"):
         found = [np.broadcast_to(reflect(NORMAL, l, v, x), len(l)) / x for x in RADIANCES]
-    share = np.array(found)
-    most = np.max(abs(share), 0)
-    off = np.where(most > 0, np.ptp(share, 0) / np.where(most > 0, most, 1), 0)
-    i = int(np.argmax(np.nan_to_num(off)))
+        share = np.array(found)
+        most, wide = np.max(abs(share), 0), np.ptp(share, 0)
+    known = np.isfinite(share)
+    odd = known.any(0) & ~known.all(0)
+    if odd.any() or not known.any():
+        i = int(np.argmax(odd))
+        return Badge(False, None, angles(l[i], v[i]))
+    off = np.where(known.all(0) & (most > 0), wide, 0) / np.where(known.all(0) & (most > 0), most, 1)
+    i = int(np.argmax(off))
     return Badge(bool(off[i] <= SAME), float(off[i]), angles(l[i], v[i]))
 
 
@@ -172,6 +198,8 @@ def key(model: Model, values: dict) -> tuple:
 def told(name: str, badge: Badge) -> str:
     """A sentence for a person, with the worst value and its angles."""
     worst, at = math.nan if badge.worst is None else badge.worst, place(badge)
+    if badge.worst is None and not badge.ok and name != "finite":
+        return f"{UNKNOWN[name]}{at}."
     if name == "non_negative":
         return "It is nowhere negative." if badge.ok else f"It is negative: {three(worst)}{at}."
     if name == "reciprocal":

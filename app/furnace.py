@@ -61,12 +61,17 @@ def widths(light: np.ndarray) -> np.ndarray:
     """How near to its pole (rad) a first look finds the first thousandth of the light, for each angle."""
     rings = np.abs(light).reshape(len(light), *FIRST).sum(-1).cumsum(-1)
     t = rule(*FIRST)[1].reshape(FIRST)[:, 0]
-    found = [np.interp(PART, ring / ring[-1], t) if ring[-1] > 0 else 1.0 for ring in rings]
+    found = [np.interp(PART, ring / ring[-1], t) if 0 < ring[-1] < np.inf else 1.0 for ring in rings]
     return np.clip(NARROWEST * np.sinh(np.array(found) * np.arcsinh(0.5 * np.pi / NARROWEST)), 1e-6, 1.0)
 
 
 def albedo(reflect: Reflect, theta_v) -> tuple[np.ndarray, np.ndarray]:
     """int f n.l dw over the hemisphere at each angle theta_v (angles,) of the eye, and an estimate of its error."""
+    with np.errstate(over="ignore", invalid="ignore"):  # sums beyond the largest float are infinite
+        return summed(reflect, theta_v)
+
+
+def summed(reflect: Reflect, theta_v) -> tuple[np.ndarray, np.ndarray]:
     theta_v = np.atleast_1d(np.asarray(theta_v, float))
     first = {pole: reflected(reflect, *nodes) for pole, nodes in first_look(tuple(theta_v.tolist())).items()}
     width = {pole: widths(light) for pole, light in first.items()}
@@ -79,7 +84,7 @@ def albedo(reflect: Reflect, theta_v) -> tuple[np.ndarray, np.ndarray]:
             continue
         coarse, fine = (reflected(reflect, *grid(pole, theta_v[at], width[pole][at], size)).sum(-1)
                         for size in (COARSE, FINE))
-        off = np.abs(fine - coarse)
+        off = np.where(np.isfinite(fine), np.abs(fine - coarse), 0)
         better = fine - off > value[at] - error[at]
         value[at[better]], error[at[better]] = fine[better], off[better]
     return value, error

@@ -18,6 +18,8 @@ from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
 from app.optics.solid_angle_flat import _dot, _fan
+from app.optics.scale_effect import _variances
+from app.optics.solid_angle_flat import _dot, _fan
 from app.optics.spherical import direction
 from app.quantities import TABLE
 
@@ -224,8 +226,26 @@ def _crease_terms(theta_l, theta_v, phi):
     return twin("crease_gap")(**share) + 2 * twin("vgroove_at")(**share) + moved("vgroove_at", share)
 
 
+def _bump_terms(m, bump_slope):
+    """Of the variance, over twice the root of it: near m = 0.7 the spread of a bump's slope hardly changes D."""
+    value, (facets, slopes) = twin("aliasing_error")(m, bump_slope), _variances(m, bump_slope)
+    terms = slopes**2 / (facets * (facets + 2 * slopes)) + 4 * slopes * slopes / (facets + slopes)
+    return terms / np.where(value > 0, 2 * value, 1)
+
+
+def _worth_terms(m, bump_slope):
+    """Each of the two errors is rounded: their condition numbers cancel in the quotient."""
+    args = {"m": m, "bump_slope": bump_slope}
+    single, one = twin("aliasing_error")(m, bump_slope), twin("filter_error")(m, bump_slope)
+    either = (moved("aliasing_error", args) + _bump_terms(m, bump_slope)) / np.where(single > 0, single, 1)
+    return 2 * twin("samples_worth")(m, bump_slope) * (either + moved("filter_error", args) / one)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
+    "aliasing_error": _bump_terms,
+    "sampling_error": lambda samples, m, bump_slope: _bump_terms(m, bump_slope) / np.sqrt(samples),
+    "samples_worth": _worth_terms,
     "halfway_cosine": _halfway_terms,
     "lobe_flux_blinn": lambda theta_v, exponent: _blinn_flux(theta_v, exponent, 1),
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (

@@ -869,8 +869,8 @@ where the rest went. 6 minutes.
              "The downlight's file is made for this course (lessons/ies)"),
     honesty="Exact for the formula; no real lamp dims linearly in the cosine. In our copy θ_L may have been cos F.",
     values=(Value("hotspot", 18.0, low=1.0, high=58.0), Value("falloff", 30.0, low=2.0, high=60.0),
-            Value("edge", 0, choices=("linear", "smoothstep", "as printed", "IES")),
-            Value("reading", 0, choices=("as meant", "full angles", "plus l·d")),
+            Value("edge", 0, choices=("linear", "smooth", "printed", "IES")),
+            Value("reading", 0, choices=("meant", "full", "sign")),
             Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
             Value("radiant_intensity", 100.0, more=True)),
     minutes=6,
@@ -885,13 +885,8 @@ uniform float panel_width;
 uniform float panel_depth;
 uniform float panel_tilt;
 
-vec3 middle() {
-    return vec3(light_x, light_y, light_height);
-}
-
-float tilt() {
-    return light_shape == 1 ? 0.0 : panel_tilt;
-}
+vec3 middle() { return vec3(light_x, light_y, light_height); }
+float tilt() { return light_shape == 1 ? 0.0 : panel_tilt; }
 
 // Around the light with s.x; from its middle to its rim, of a sphere from pole to pole, with s.y.
 vec3 lamp_point(vec2 s) {

@@ -53,7 +53,7 @@ One number says how steep they are: $m$, the root of the mean square of their sl
 uniform float zoom, m;
 
 const float GROOVE = 20.0; // micrometres
-const float DEEP = 0.55;
+const float DEEP = 0.34;
 const int SAMPLES = 8;
 
 // The slope of the sides of a groove: one of Beckmann's, by a number that looks random and is the same each time.
@@ -81,17 +81,19 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(1.0, 2.0 * s.x - 1.0, mix(-DEEP, profile(1.0).y, s.y));
 }
 
-// The room on the far side, by height and side over distance: a window in the evening and a lamp on a dark wall.
+// The room on the far side, by height and side over distance: a window in the evening and three lamps on a dark wall.
 vec3 room(vec2 p) {
-    vec3 colour = mix(vec3(0.05, 0.07, 0.10), vec3(0.16, 0.20, 0.27), clamp(p.y - 0.2, 0.0, 1.0));
-    vec2 q = abs(p - vec2(-0.32, 0.71)), to_lamp = p - vec2(-0.06, 0.62);
-    colour += vec3(1.6, 0.75, 0.25) * clamp(1.7 - 560.0 * dot(to_lamp, to_lamp), 0.0, 1.0);
-    bool pane = q.x < 0.15 && q.y < 0.13 && min(q.x, q.y) > 0.008;
-    return pane ? mix(vec3(1.4, 0.85, 0.42), vec3(0.85, 1.05, 1.3), clamp(4.5 * p.y - 2.7, 0.0, 1.0)) : colour;
+    vec2 q = abs(p - vec2(-0.30, 0.655)), a = p - vec2(-0.06, 0.80), b = p - vec2(-0.52, 0.76), c = p - vec2(-0.16, 0.535);
+    vec3 colour = mix(vec3(0.012, 0.018, 0.032), vec3(0.09, 0.12, 0.18), clamp(2.2 * p.y - 0.9, 0.0, 1.0));
+    colour += vec3(17.0, 8.0, 2.6) * clamp(1.0 - 620.0 * dot(a, a), 0.0, 1.0);
+    colour += vec3(4.0, 8.0, 15.0) * clamp(1.0 - 900.0 * dot(b, b), 0.0, 1.0);
+    colour += vec3(15.0, 11.0, 7.0) * clamp(1.0 - 1500.0 * dot(c, c), 0.0, 1.0);
+    bool pane = q.x < 0.13 && q.y < 0.075 && min(q.x, q.y) > 0.007;
+    return pane ? mix(vec3(1.9, 0.95, 0.42), vec3(0.75, 1.1, 1.7), clamp(8.0 * p.y - 4.7, 0.0, 1.0)) : colour;
 }
 
 vec3 shade(Surface s) {
-    if (s.id > 0) return mix(vec3(0.10, 0.11, 0.12), vec3(0.20, 0.21, 0.23), s.st.y) * (s.id == 1 ? 1.0 : 0.6);
+    if (s.id > 0) return mix(vec3(0.035, 0.04, 0.05), vec3(0.17, 0.18, 0.20), s.st.y * s.st.y) * (s.id == 1 ? 1.0 : 0.5);
     float at = 0.5 * s.position.x * grooves_shown(zoom, GROOVE), wide = fwidth(at), sum = 0.0;
     vec3 light = vec3(0.0);
     int samples = wide < 0.05 ? 1 : SAMPLES;
@@ -120,7 +122,7 @@ vec4 probe(int i) { return vec4(i == 0 ? bar_end() : -0.7, -1.02, -DEEP - (i == 
         marks=(Mark("scale bar", width=1.6), Mark("its start", width=1.6), Mark("its end", width=1.6)),
         labels=(Label("0.2 mm", 1),),
         handles=(Handle("the scale", 0, ("zoom",)),),
-        camera=Camera(azimuth=-74, elevation=33, distance=5.7, target=(0.0, 0.0, -0.28)),
+        camera=Camera(azimuth=-74, elevation=33, distance=5.7, target=(0.02, 0.0, -0.16)),
     ),
     plot=Curves(
         title="Where single grooves can still be seen", sweep="groove_width",
@@ -129,13 +131,13 @@ vec4 probe(int i) { return vec4(i == 0 ? bar_end() : -0.7, -1.02, -DEEP - (i == 
     readouts=(
         Readout("width of the picture", Term("plate_shown"), unit="mm"),
         Readout("grooves side by side", Term("grooves_shown", {"groove_width": 20.0}), unit=""),
-        Readout("seen singly up to", Term("resolved_distance", {"groove_width": 20.0}), unit="cm"),
+        Readout("width w is seen up to", Term("resolved_distance"), unit="cm"),
     ),
     ask=Prediction(
         question="The grooves of this plate are 20 µm wide. From how far away can a sharp eye still see them singly?",
         truth=Term("resolved_distance", {"groove_width": 20.0}),
         unit="cm", low=1.0, high=1000.0, scale="log",
-        sets={"zoom": 1.0},
+        sets={"zoom": 1.0, "groove_width": 20.0},
         told="6.9 cm, nearer than most eyes can focus. So nobody ever sees a facet: roughness is the word for their sum.",
     ),
     notes="""
@@ -149,7 +151,7 @@ rough means dull, every point scatters. Here no point does. 5 minutes.
     honesty="Each pixel shows the mean of eight mirror images in its facets. Grooves of equal width with ridges of equal "
             "height are the model's; real scratches are not so tidy. The room is made up.",
     values=(Value("zoom", 1.0, low=1.0, high=100.0), Value("m", 0.2, low=0.02, high=0.8),
-            Value("groove_width", 20.0, more=True)),
+            Value("groove_width", 60.0, more=True)),
     minutes=5,
 )
 
@@ -167,8 +169,8 @@ $$m = \colour{h}{h} = \frac{\colour{l}{l} + \colour{v}{v}}{|\colour{l}{l} + \col
 so a facet is on or off. A lamp has a size; then $m$ may miss by a little, the $\colour{h}{\text{ring}}$. The facets in it
 **light up**.
 
-Count them. Their share, over the ring's size, is $\colour{d}{D(h)}$: so many per steradian. Move the eye into
-the [mirror direction](?theta_v=35), then [off to the side](?phi=90): the ring leaves the crowd. Take a
+Count them. Their share, over the ring's size seen from above, is $\colour{d}{D(h)}$: so many per steradian. Move the
+eye into the [mirror direction](?theta_v=35), then [off to the side](?phi=90): the ring leaves the crowd. Take a
 [small lamp](?half_angle=0.5): the count starts to jump. Make the plate [smoother](?m=0.12).
 """,
     scene=Scene(
@@ -276,7 +278,7 @@ Why the smaller one, and not the product? Look: both parts begin in the valley, 
 the same: each point asks whether eye and light are free.
 
 Try [nothing hidden](?lean_l=-20&lean_v=40), [masked](?lean_l=20&lean_v=75), [shadowed](?lean_l=75&lean_v=20),
-[turned away](?lean_v=-60), a [steep groove](?facet=70&lean_l=20&lean_v=40). At [m = h](?lean_l=18&lean_v=72) the rest flashes.
+[turned away](?lean_v=-60), a [steep groove](?facet=70&lean_l=20&lean_v=40). At [m = h](?facet=45&lean_l=18&lean_v=72) the rest flashes.
 """,
     scene=Scene(
         glsl="""
@@ -403,7 +405,7 @@ Oren and Nayar made a whole surface of such grooves. From the light's side the e
 phase the ball is a flat disk, as the Moon is. Lambert's has a dark rim.
 
 Their usual short form leaves the second bounce out, too. **EON** puts it back: with $\rho = 1$ no light is missing. Turn the
-Moon to [half](?phase=75), make it [smooth](?sigma=0&roughness=0), [very rough](?sigma=57&roughness=1), and the groove
+Moon to [nearly half](?phase=75), make it [smooth](?sigma=0&roughness=0), [very rough](?sigma=57&roughness=1), and the groove
 [steep](?facet=70).
 """,
     scene=Scene(
@@ -548,9 +550,9 @@ many. Of these a share $\colour{g}{G}$ stands free, and each reflects a share $\
 
 $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)}$$
 
-The small balls show one factor each, the large one the product. Take the $\colour{l}{\text{lamp}}$
-[behind the ball](?theta_l=82&theta_v=82&phi=180): there $F$ is 1 in every colour, and gold shines in *the lamp's
-colour*. Only $F$ has a colour at all.
+The small balls show one factor each, the large one the product. Only $F$ has a colour. Take the
+$\colour{l}{\text{lamp}}$ [behind the ball](?theta_l=82&theta_v=82&phi=180): there $F$ climbs towards 1 in every colour, and gold
+pales to *the lamp's colour*.
 
 The deck writes $1/\pi$ for $1/4$, after Lambert. But the facets are counted around $h$, light around $l$, and
 $d\omega_l = 4\,(l\cdot h)\,d\omega_h$: that is the 4. [As printed](?prefactor=1), the ball in the furnace shines
@@ -607,7 +609,8 @@ vec3 shade(Surface s) {
     float x = max(0.0, 1.0 - l_dot_h), x5 = x * x * x * x * x;
     vec3 f = f0 * GOLD + (1.0 - f0 * GOLD) * x5;
     if (s.id == 3) return f;
-    return shadow + 4.0 * PI * m * m * scale * cook_torrance_dg(n, l, s.v, m) * n_dot_l * f; // a head-on highlight shows F0
+    float exposure = 4.0 * PI * m * m / (1.0 + 1.5 * m * m * m * m); // a head-on highlight of a smooth ball shows F0
+    return shadow + exposure * scale * cook_torrance_dg(n, l, s.v, m) * n_dot_l * f;
 }
 
 vec3 mark_point(int mark, float t) {
@@ -655,30 +658,31 @@ vec4 probe(int i) {
                 against="albedo, F = 1"),
     ),
     ask=Prediction(
-        question="A smooth metal, m = 0.1, with facets that reflect all. The eye looks straight down. With the formula as "
-                 "printed, what share of the light comes back?",
-        truth=Term("albedo_cook_torrance_printed", {"theta_v": 0.0, "m": 0.1, "f0": 1.0}),
+        question="A very rough metal, m = 1, and facets that reflect all. The eye looks straight down. What share of the "
+                 "light does the formula, with its 1/4, send back?",
+        truth=Term("albedo_cook_torrance", {"theta_v": 0.0, "m": 1.0, "f0": 1.0}),
         unit="of it",
         low=0.0,
         high=2.0,
-        sets={"m": 0.1, "theta_v": 0.0, "prefactor": 1},
-        told="1.27, that is 4/π: light from nothing. With 1/4 it is 1.000.",
+        sets={"m": 1.0, "theta_v": 0.0, "prefactor": 0},
+        told="0.45. The rest meets a second facet, and the formula drops it. With 1/π it is 4/π times as much.",
     ),
     notes="""
 Cover the large ball and build it from the three: D alone is the highlight, G alone a soft shadow at the rim, F alone the
 only colour. Ask which factor m changes (D; a little G never) and which the metal changes (F). Then take the lamp round
 to the back: the rim turns white on gold. The slip is old: Cook and Torrance print 1/π with a D that lacks its own π, so
-theirs was four times too bright. Ask what else could eat the missing light at large m: second bounces, lost here.
-6 minutes.
+theirs was four times too bright. A smooth plate, m = 0.1, gives 1.27 as printed and 1.000 with 1/4. At large m both lose
+light, to second bounces. 6 minutes.
 """,
     sources=("Deck, slides The Cook - Torrance Model (1) and (2)", "Cook & Torrance 1982", "Torrance & Sparrow 1967",
              "Walter et al. 2007: the half-vector's 4 l.h"),
-    honesty="D is Beckmann's, G that of V-grooves, F Schlick's with gold's F0. The lamp is exposed for "
-            "m: a head-on highlight shows F0. The ball in the furnace is summed over 72 facets, within 0.02; numbers are exact. Light that "
-            "bounces twice is left out.",
-    values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0), Value("theta_v", 30.0),
+    honesty="D is Beckmann's, G that of V-grooves, F Schlick's with gold's F0. The lamp is exposed for m, so that wide "
+            "highlights show too. The ball in the furnace is summed over 72 facets, within 0.02; numbers are exact. Light "
+            "that bounces twice is left out.",
+    values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0, low=0.0, high=89.5),
+            Value("theta_v", 30.0, low=0.0, high=89.5),
             Value("prefactor", 0, choices=("1/4, consistent", "as printed, 1/π")), Value("phi", 140.0, more=True),
-            Value("f0", 0.95, more=True)),
+            Value("f0", 0.95, more=True), Value("lobe_scale", 0, choices=("f", "f n·l", "log f"), more=True)),
     minutes=6,
 )
 
@@ -689,7 +693,8 @@ DISTRIBUTION = Step(
     slides=(DISTRIBUTION_TERM(1), DISTRIBUTION_TERM(2)),
     prose=r"""
 Every dot is the normal of one of 2000 facets. Count those in the $\colour{l}{\text{ring}}$ at the angle $a$, divide by all,
-and by the ring's size: that is $\colour{d}{D(a)}$, a **density per steradian**. The bars are counted, the line is a formula.
+and by the ring's size seen from above: that is $\colour{d}{D(a)}$, a **density per steradian**. The bars are counted, the
+line is a formula.
 
 Seen from above, the facets cover the plate once, neither more nor less:
 
@@ -824,7 +829,7 @@ exponent 10 (m = 0.408) only 0.349 of the plate is there. 7 minutes.
              "Walter et al. 2007; Trowbridge & Reitz 1975: GGX"),
     honesty="The facets' slopes are Beckmann's: a surface of random Gaussian heights, so only that formula fits the bars. They "
             "are evenly drawn, not by chance; counting still errs where a ring holds few. Gauss's constant is a quadrature.",
-    values=(Value("m", 0.35, low=0.08, high=1.0), Value("theta_h", 20.0, low=0.0, high=85.0),
+    values=(Value("m", 0.35, low=0.08, high=0.65), Value("theta_h", 20.0, low=0.0, high=85.0),
             Value("ndf", 2, choices=("Gauss", "cosine lobe", "Beckmann", "GGX")),
             Value("rows", 36, low=2, high=64)),
     minutes=7,
@@ -858,7 +863,7 @@ uniform float slope_ratio;
 
 const float APART = 2.15;
 const float WIDE = 1.9; // of a box, six m
-const float TALL = 1.75; // of the peak
+const float TALL = 1.62; // of the peak
 const float FLOOR = -2.35;
 
 // The middle of window 0 stable, 1 fast, 2 expensive
@@ -873,7 +878,7 @@ float density(int way, vec2 x) { // over its peak
 }
 
 vec3 in_box(int way, float x, float height) {
-    return vec3(window(way).x + x * WIDE / 6.0, -0.02, FLOOR + TALL * clamp(height, 0.0, 1.3));
+    return vec3(window(way).x + x * WIDE / 6.0, -0.02, FLOOR + TALL * clamp(height, 0.0, 1.5));
 }
 
 vec3 surface_point(int surface, vec2 s) {
@@ -972,8 +977,8 @@ width**:
 
 $$n = \frac{2}{m^2} - 2$$
 
-Exponents are hard to feel: [8](?m=0.4472) and [200](?m=0.09950) and [2000](?m=0.03161) look evenly spaced, and so they
-are, in $m$, on a log scale. And $m$ has a meaning you can measure: the facets' RMS slope.
+Exponents are hard to feel: from [8](?m=0.4472) to [98](?m=0.1414) is the same step in the picture as from there to
+[998](?m=0.04472), for $m$ is divided by the same. And $m$ has a meaning you can measure: the facets' RMS slope.
 
 For small $m$ both halves agree. For [rough ones](?m=0.8) Beckmann bends: the seam shows. With
 [one exposure for all](?exposed=1) you see what normalising does: the light that spreads gets dim.
@@ -1012,7 +1017,7 @@ vec3 shade(Surface s) {
     float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
-    return vec3(1.0, 0.97, 0.92) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
+    return vec3(1.0, 0.93, 0.80) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -1030,7 +1035,7 @@ vec4 probe(int i) {
         surfaces=tuple(Surface(f"ball {i}", cells=(40, 8) if i else (64, 10)) for i in range(6)),
         marks=(Mark("seam", colour="quiet", segments=48), Mark("to the light", colour="l", tip="sun", label="l")),
         labels=(Label("Beckmann", 1, "d"), Label("cosine lobe", 2, "printed"),
-                *(Label(f"m = {m}", i + 3) for i, m in enumerate(("0.08", "0.14", "0.25", "0.45", "0.8")))),
+                *(Label(m, i + 3) for i, m in enumerate(("m = 0.08", "0.14", "0.25", "0.45", "0.8")))),
         handles=(Handle("the lamp", 0, ("theta_l",)),),
         camera=Camera(azimuth=-90, elevation=0, distance=30, target=(0.0, 0.0, -0.05), field_of_view=12),
     ),

@@ -29,7 +29,7 @@ CHANNELS = ("red", "green", "blue")
 CHANNEL_COLOURS = ("#D9483B", "#2C9C55", "#3B7DD8")
 METAL_NAMES = ("gold", "silver", "copper", "iron", "aluminium")
 MATERIAL_NAMES = ("water", "glass", "plastic", "ruby", "diamond", *METAL_NAMES)
-GOLD, IRON, DIAMOND, GLASS = "#C99A1E", "#8C8F94", "#4FA3D1", "#3E9E6E"
+GOLD, IRON, GLASS = "#C99A1E", "#8C8F94", "#3E9E6E"
 
 FLAT_MIRROR = Step(
     name="flat_mirror",
@@ -72,7 +72,7 @@ float share(int beam) {
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 3) {
         vec3 d = along(surface), across = vec3(d.z, 0.0, -d.x);
-        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) + vec3(0.0, -0.01, 0.0);
+        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) - vec3(0.0, 0.01 * float(3 - surface), 0.0);
     }
     if (surface == 3) return vec3(2.35 + 0.3 * s.x, -0.01, -1.4 + 2.6 * s.y);
     if (surface == 4) return vec3(-2.0 + 4.0 * s.x, 0.0, -1.5 * s.y);
@@ -91,7 +91,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    vec3 lift = vec3(0.0, -0.03, 0.0);
+    vec3 lift = vec3(0.0, -0.05, 0.0);
     if (mark == 0) return vec3(0.0, 0.0, 1.5 * t) + lift;
     if (mark == 1) return 1.75 * t * along(0) + lift;
     if (mark == 2) return 1.6 * t * along(1) + lift;
@@ -123,7 +123,7 @@ vec4 probe(int i) {
         labels=(Label("T", 1, "estimate"), Label("R", 2, "r"), Label("η", 3)),
         handles=(Handle("the light", 0, ("theta",)),),
         legend=(("l", "incoming, 1"), ("r", "reflected, R"), ("estimate", "inside, T")),
-        camera=Camera(azimuth=-90, elevation=4, distance=11.0, target=(0.3, 0.0, -0.1), field_of_view=24),
+        camera=Camera(azimuth=-90, elevation=4, distance=12.2, target=(0.32, 0.0, -0.15), field_of_view=24),
     ),
     plot=Curves(
         title="Where the light goes",
@@ -145,18 +145,18 @@ vec4 probe(int i) {
         low=0.0,
         high=0.5,
         sets={"theta": 0.0, "eta": 1.5},
-        told="0.04: four per cent. That little is the whole mirror image of you in a shop window.",
+        told="0.04: four per cent. Two faces with so little each make the mirror image of you in a shop window.",
     ),
     notes="""
-Hold up a sheet of glass, or use the window. Everyone sees the mirror image, and it is four per cent. Then drag the light
-down to the boundary: the reflected beam grows from a thread to all of it, and only in the last ten degrees. Ask what the
+Hold up a sheet of glass, or use the window. Everyone sees the mirror image, four per cent from each face. Drag the light
+down to the boundary: the reflected beam grows from a thread to all of it, mostly in the last fifteen degrees. Ask what the
 beam inside does meanwhile: its direction hardly moves any more, its width goes. Common wrong answer: a third, because
-the image is so clear; a dark background makes four per cent visible. 5 minutes.
+the image is so clear; a dark background makes that little visible. 5 minutes.
 """,
     sources=("Deck, slide Fresnel Term (1)", "Fresnel 1823", "Snell's law"),
     honesty="Exact for unpolarised light and a smooth, clear boundary. Beam widths show flux: a real beam changes its width "
             "when it is bent. What happens deeper inside is left out.",
-    values=(Value("theta", 60.0, low=0.0, high=90.0), Value("eta", 1.5, low=1.0, high=3.0)),
+    values=(Value("theta", 76.0, low=0.0, high=90.0), Value("eta", 1.5, low=1.0, high=3.0)),
     minutes=5,
 )
 
@@ -169,16 +169,16 @@ ANGLE = Step(
 Stand at a lake. At your feet you see stones; far out you see mountains, upside down. The water is the same, the angle
 $\colour{l}{\theta}$ is not: it grows from 20° at your feet towards 90° at the horizon.
 
-The share is a mean of two. Light that swings *across* the plane of incidence ($\colour{estimate}{s}$) is always reflected
+The share is a mean of two. Light that swings *across* the plane of incidence ($\colour{estimate}{s}$) is reflected
 more than light that swings *along* it ($\colour{printed}{p}$), and at **Brewster's angle**, $\tan\theta = \eta$, no $p$ is
 reflected at all. A polariser picks one: [s only](?polariser=0), [both](?polariser=45), [p only](?polariser=90).
 
 With $p$ only the mirror goes out along the dashed line, and you see the ground there. Photographers know. Walk the
-$\colour{l}{\text{ring}}$ to [your feet](?theta=25), [Brewster](?theta=53.1), [half](?theta=83.5).
+$\colour{l}{\text{ring}}$ to [the near stones](?theta=36), [Brewster](?theta=53.1), [far out](?theta=87).
 """,
     scene=Scene(
         glsl="""
-#include "optics/interface.glsl"
+#include "optics/fresnel.glsl"
 uniform float theta;
 uniform float eta;
 uniform float polariser;
@@ -249,8 +249,7 @@ vec3 shade(Surface s) {
 vec3 mark_point(int mark, float t) {
     float turn = 1.2 * (t - 0.5);
     if (mark == 0) return ring(theta, turn);
-    if (mark == 1) return ring(brewster_angle(eta), turn);
-    return ring(radians(angle_of_half(eta)), turn);
+    return ring(brewster_angle(eta), turn);
 }
 
 vec4 probe(int i) {
@@ -261,7 +260,6 @@ vec4 probe(int i) {
         marks=(
             Mark("ring", colour="l", segments=24, width=2.0, label="θ", label_at=0.2),
             Mark("Brewster", colour="printed", line="dashed", segments=24, label="Brewster", label_at=0.75),
-            Mark("half", colour="exact", line="dotted", segments=24, label="half", label_at=0.75),
         ),
         handles=(Handle("the ring", 0, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=24, distance=1.0, target=(0.0, 0.9135, 1.2933), field_of_view=74),
@@ -276,7 +274,8 @@ vec4 probe(int i) {
     readouts=(
         Readout("unpolarised F", Term("reflected_share"), role="exact", unit=""),
         Readout("through the polariser", Term("polarised_share"), role="exact", unit=""),
-        Readout("half is reflected at", Term("angle_of_half"), unit="°"),
+        Readout("s, across", Term("reflected_share_s"), unit=""),
+        Readout("p, along", Term("reflected_share_p"), unit=""),
     ),
     ask=Prediction(
         question="Straight down, water reflects 2 %. At what angle from the vertical does it reflect half of the light?",
@@ -296,7 +295,7 @@ lies near Brewster's angle. Ripples tilt the normal a little, so the far mirror 
     sources=("Deck, slides Fresnel Term (2) and (3)", "Fresnel 1823", "Brewster 1815", "Malus 1809"),
     honesty="The share is exact for each pixel's angle. Ripples, stones and evening are made up; the light of the ground is "
             "taken as unpolarised, and its loss on the way up through the water is left out.",
-    values=(Value("theta", 70.0, low=15.0, high=88.0), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
+    values=(Value("theta", 70.0, low=15.0, high=87.5), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
     minutes=7,
 )
 
@@ -367,7 +366,8 @@ vec3 shade(Surface s) {
 
 vec3 mark_point(int mark, float t) {
     vec3 lift = vec3(0.0, -0.04, 0.0);
-    if (mark < 3) return leg(mark, theta, mark == 1 && share(1, theta) <= 0.0 ? 0.0 : t) + lift;
+    if (mark == 1 && share(1, theta) <= 0.0) return vec3(0.0, 0.0, -99.0); // out of the picture: there is none
+    if (mark < 3) return leg(mark, theta, t) + lift;
     if (mark == 3) return vec3(-3.3 + 6.6 * t, 0.0, 0.0) + lift;
     float top = DEEP * tan(min(theta, 1.2));
     if (mark == 4) return vec3(top, 0.0, -0.75 + 1.9 * t) + lift;
@@ -390,7 +390,7 @@ vec4 probe(int i) {
             Mark("critical right", colour="exact", width=1.4, label="critical", label_at=1.0),
             Mark("critical left", colour="exact", width=1.4),
         ),
-        labels=(Label("air", 1), Label("glass", 2), Label("lamp", 3, "l")),
+        labels=(Label("outside", 1), Label("inside", 2), Label("lamp", 3, "l")),
         handles=(Handle("the ray", 0, ("theta",)),),
         legend=(("l", "from the lamp"), ("estimate", "gets out"), ("r", "is sent back")),
         camera=Camera(azimuth=-90, elevation=4, distance=10.5, target=(0.0, 0.0, -0.2)),
@@ -400,7 +400,7 @@ vec4 probe(int i) {
         sweep="theta",
         curves=(Curve("unpolarised", Term("reflected_share")), Curve("s, across", Term("reflected_share_s"), role="estimate"),
                 Curve("p, along", Term("reflected_share_p"), role="printed"),
-                Curve("from outside", Term("reflected_share", {"eta": 1.5}))),
+                Curve("glass, outside", Term("reflected_share", {"eta": 1.5}))),
         y_label="share reflected",
     ),
     readouts=(
@@ -409,19 +409,20 @@ vec4 probe(int i) {
         Readout("diffuse light sent back", Term("f_average_dielectric"), unit=""),
     ),
     ask=Prediction(
-        question="Light runs around evenly inside glass of index 1.5. What share of it does the boundary send back inside?",
-        truth=Term("f_average_dielectric", {"eta": 1 / 1.5}),
+        question="Light runs around evenly inside a diamond, index 2.4. What share of it does the boundary send back "
+                 "inside?",
+        truth=Term("f_average_dielectric", {"eta": 0.4137}),
         unit="of it",
         low=0.0,
         high=1.0,
-        sets={"theta": 43.0, "eta": 1 / 1.5},
-        told="0.60. From outside it is 0.09: getting in is easy, getting out is not. Paint and skin keep light this way.",
+        sets={"theta": 25.0, "eta": 0.4137},
+        told="0.87; glass keeps 0.60. From outside diamond sends back 0.21: getting in is easy, getting out is not.",
     ),
     notes="""
 Look up from under water: the whole sky in a round window, and around it the pool's floor. Let someone find the critical
 angle by dragging; it is 41.8° for glass. The curve has a corner there, not a bend: ask what the slope is just before it
-(infinite). Prediction: everyone says 4 or 10 per cent, because that is what comes back from outside. Fibres, cat's eyes
-and prisms in binoculars live from this. 5 minutes.
+(infinite). Prediction: many say 10 or 20 per cent, because that comes back from outside. Fibres, cat's eyes and prisms
+in binoculars live from this; paint and skin keep light the same way. 5 minutes.
 """,
     sources=("Deck, slide Fresnel Term (2)", "Snell's law; Fresnel 1823", "Walsh 1926, d'Eon 2021: the mean over the hemisphere"),
     honesty="Exact. Only the first meeting with the boundary is drawn; the light sent back would meet the other walls.",
@@ -463,7 +464,7 @@ vec3 lit_insulator(int i, vec3 n, vec3 v) {
 MATERIALS = Step(
     name="materials",
     title="Rows of materials",
-    idea="Insulators start at 2 to 17 % and are white; metals start above half and have their colour; all end at 1.",
+    idea="Insulators mirror little of the light, and white; metals more than half, and have their colour; all end at 1.",
     slides=(FRESNEL(4), FRESNEL(5)),
     prose=r"""
 Ten materials, one law. **Insulators** have a real index $\eta$ and reflect little head-on, the same in all colours. What
@@ -527,7 +528,6 @@ vec4 probe(int i) {
             Curve("gold, red", Term("material_share", {"material": 5, "channel": 0}), role="printed", colour=GOLD),
             Curve("gold, blue", Term("material_share", {"material": 5, "channel": 2}), role="printed", colour=GOLD),
             Curve("iron, green", Term("material_share", {"material": 8, "channel": 1}), colour=IRON),
-            Curve("diamond", Term("material_share", {"material": 4, "channel": 1}), role="estimate", colour=DIAMOND),
             Curve("glass", Term("material_share", {"material": 1, "channel": 1}), role="estimate", colour=GLASS),
         ),
         y_label="share reflected, one channel",
@@ -681,7 +681,7 @@ blue cannot mix so pure a yellow. Let them find the entries whose sRGB is not th
              "1974; Rakic 1995", "IEC 61966-2-1: sRGB", "CIE 015:2004: D65 and the 1931 observer"),
     honesty="From n, k: thin films in vacuum, twelve wavelengths, daylight. Other films of the same metal differ by several "
             "hundredths. On the screen what lies beyond 1 is cut off; the stripes say where.",
-    values=(Value("material", 5, low=5, choices=MATERIAL_NAMES), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
+    values=(Value("material", 7, low=5, choices=MATERIAL_NAMES), Value("channel", 0, choices=CHANNELS), Value("theta", 30.0)),
     minutes=5,
 )
 
@@ -695,7 +695,8 @@ For an insulator $F_0$ and the index are one thing told twice:
 
 $$F_0 = \left(\frac{\eta-1}{\eta+1}\right)^2, \qquad \eta = \frac{1+\sqrt{F_0}}{1-\sqrt{F_0}}$$
 
-Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done.
+Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done. Check the
+deck's table, row by row: [low glass](?material=glass), 0.03, is printed as 0.21 for the screen, and is 0.19.
 
 The light not reflected goes in; some comes back as the **diffuse** body colour. So the body must be darker where the
 mirror is brighter. On the large ball the left half does that, $\colour{exact}{(1-F)}$; the right half
@@ -705,6 +706,7 @@ $\colour{printed}{\text{adds them up}}$, and its rim gives more than it got. Try
     scene=Scene(
         glsl=INSULATOR_GLSL + """
 uniform float eta;
+uniform int material;
 
 const vec3 LARGE = vec3(0.0, 0.0, 1.75);
 const float SIZE = 2.5;
@@ -730,6 +732,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
+    if (mark == 1) return small(material) + 1.08 * vec3(cos(2.0 * PI * t), 0.0, sin(2.0 * PI * t));
     return LARGE + (SIZE + 0.02) * vec3(0.0, -sin(PI * t), cos(PI * t));
 }
 
@@ -741,7 +744,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("large ball", cells=(64, 4)), Surface("balls", cells=(164, 2))),
-        marks=(Mark("divide", colour="quiet", segments=48),),
+        marks=(Mark("divide", colour="quiet", segments=48),
+               Mark("chosen", colour="exact", line="dashed", segments=64)),
         labels=(*(Label(name, i) for i, name in enumerate(MATERIAL_NAMES[:5])),
                 Label("(1 − F) body", 5), Label("body + F", 6, "printed")),
         handles=(Handle("the index", 7, ("eta",)),),
@@ -757,8 +761,9 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("head-on F0", Term("f0_from_eta"), role="exact", unit=""),
-        Readout("of diffuse light", Term("f_average_dielectric"), role="exact", unit=""),
-        Readout("the same by Schlick", Term("f_average_schlick_eta"), role="estimate", unit="", against="of diffuse light"),
+        Readout("the table's F0", Term("material_f0_printed", {"channel": 0}), role="printed", unit=""),
+        Readout("its sRGB", Term("material_srgb_of_printed", {"channel": 0}), role="exact", unit=""),
+        Readout("sRGB, printed", Term("material_srgb_printed", {"channel": 0}), role="printed", unit="", against="its sRGB"),
     ),
     ask=Prediction(
         question="A stone reflects 17 % head-on: the table's diamond. What is its index?",
@@ -779,23 +784,23 @@ entries of the tables' sRGB columns are not the sRGB of the linear ones: 0.21 fo
              "Phillip & Taft 1964: indices", "Walsh 1926: the mean over the hemisphere"),
     honesty="F0 and the mean are exact for a clear, smooth boundary. (1 − F) once is a first step: light also meets the "
             "boundary on its way out. The small balls use measured indices, not the printed shares.",
-    values=(Value("eta", 1.5, low=1.0, high=3.0),),
+    values=(Value("eta", 1.5, low=1.0, high=3.0), Value("material", 0, high=4, choices=MATERIAL_NAMES)),
     minutes=5,
 )
 
 SCHLICK = Step(
     name="schlick",
     title="Schlick's fit, and where it fails",
-    idea="One power of (1 - l·h) replaces the Fresnel equations within a few per cent, but not for iron and aluminium.",
+    idea="One power of (1 - l·h) replaces the Fresnel equations to within 0.08, but not for iron and aluminium.",
     slides=(FRESNEL(8),),
     prose=r"""
 Schlick keeps the start and the end and joins them by a fifth power:
 
 $$\colour{printed}{F} = c_0 + (1-c_0)(1 - l\cdot h)^5$$
 
-Good for water, plastics, silver, gold. But [iron](?material=iron) and [aluminium](?material=aluminium) *dip* before they rise, and the
+Good for glass, plastics, silver, gold. But [iron](?material=iron) and [aluminium](?material=aluminium) *dip* before they rise, and the
 fit does not. One more number mends it: $F$ at 82°, the $\colour{estimate}{\text{F82}}$ form. The rows show the error of
-both; the scale ends at 0.18.
+both; the scale ends at 0.2.
 
 Mind the angle. It is $l\cdot h$, the facet's, and **not** $n\cdot v$. Below, a rough plastic ball with its lamp
 $2\theta$ away from the eye, both ways. With $n\cdot v$ the rim glows even with [the lamp behind you](?theta=5).
@@ -845,7 +850,7 @@ vec3 shade(Surface s) {
         vec3 f = f_material(c, i + INSULATORS), f0 = F0[i], off = vec3(0.0);
         if (s.id == 0) return max(f, 0.0) * studio(reflect(-s.v, n));
         for (int k = 0; k < 3; k++) off[k] = abs((s.id == 1 ? f_schlick(c, f0[k]) : f_f82(c, f0[k], F82[i][k])) - f[k]);
-        return colormap(max(off.r, max(off.g, off.b)) / 0.18);
+        return colormap(max(off.r, max(off.g, off.b)) / 0.2);
     }
     vec3 n = ball_normal((s.position - rough(s.id)) / SIZE, s.v), v = s.v;
     vec3 side = normalize(cross(vec3(0.0, 0.0, 1.0), v)), l = cos(2.0 * theta) * v - sin(2.0 * theta) * side;
@@ -902,13 +907,13 @@ vec4 probe(int i) {
 Draw the curve of iron by hand first: flat, dip, up; then Schlick over it. It is a fit to insulators, and it was never meant
 for iron. Show the two rough balls with the lamp behind the class (θ small): light and eye agree, every facet that
 shows anything is seen head-on, l·h = 1, so nothing may be brighter at the rim. With n·v it is. This mistake has shipped
-in more than one game. Where F82 costs: one number more a material, and a sixth power. 6 minutes.
+in more than one game. What F82 costs: one number more a material, and a sixth power. 6 minutes.
 """,
     sources=("Deck, slide Fresnel Term (8)", "Schlick 1994", "Hoffman 2019: Fresnel Equations Considered Harmful",
              "Kutz et al. 2021: the F82 tint", "Johnson & Christy 1972, 1974; Rakic 1995"),
     honesty="Errors are against the exact term of measured indices, the largest of the three channels. The rough balls "
             "use a plain glow by n·h, no BRDF: those come with chapters 4 and 5.",
-    values=(Value("material", 8, low=5, choices=MATERIAL_NAMES), Value("theta", 18.0, low=0.0, high=90.0),
+    values=(Value("material", 5, low=5, choices=MATERIAL_NAMES), Value("theta", 18.0, low=0.0, high=90.0),
             Value("channel", 1, choices=CHANNELS)),
     minutes=6,
 )

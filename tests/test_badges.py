@@ -166,6 +166,36 @@ def test_what_is_not_finite_is_told_with_its_place():
     assert (badge.ok, badge.worst) == (False, None), "0 / 0 at l = -v"
 
 
+FLAWED = {  # a value over the pairs l, v, and what is red; every worst value there is none
+    "no number at all": (lambda l, v: np.nan, {"non_negative", "reciprocal", "energy", "finite"}),
+    "infinite": (lambda l, v: np.inf, {"reciprocal", "energy", "finite"}),
+    "endlessly negative": (lambda l, v: -np.inf, {"non_negative", "reciprocal", "energy", "finite"}),
+    "no number on one half": (lambda l, v: np.where(l[..., 0] > 0, np.nan, 0.1), {"reciprocal", "energy", "finite"}),
+    "infinite for low light": (lambda l, v: np.where(l[..., 2] < 0.2, np.inf, 0.1), {"reciprocal", "energy", "finite"}),
+    "no number where l is v": (lambda l, v: 0.1 + 0 / np.sum((l - v) ** 2, -1), {"finite"}),
+    "beyond the largest float": (lambda l, v: 1e308 * (l[..., 2] > 0), {"energy"}),
+}
+
+
+@pytest.mark.parametrize("name", FLAWED)
+@pytest.mark.parametrize("of_radiance", [False, True])
+def test_what_is_no_number_keeps_no_promise(name, of_radiance):
+    value, red = FLAWED[name]
+
+    def f(n, l, v, radiance=1.0):
+        found = np.broadcast_to(value(*np.broadcast_arrays(l, v)), np.broadcast_shapes(l.shape, v.shape)[:-1])
+        return found * radiance if of_radiance else found
+
+    found = check(f, of_radiance=of_radiance)
+    nowhere = ("no number at all", "infinite", "endlessly negative", "beyond the largest float")
+    overflows = of_radiance and name in nowhere
+    assert {name for name in NAMES if not found[name].ok} == red | ({"linear"} if overflows else set())
+    assert all(found[name].worst is None for name in red)
+    for badge in found:
+        assert "nan" not in told(badge, found[badge]) or found[badge].ok
+    json.dumps(badges.as_json(found), allow_nan=False)
+
+
 ALBEDOS = {  # closed forms, and the table of optics.md D1 and D7; how near
     "Lambert": (lambert(0.8), (0, 30, 60, 85), (0.8, 0.8, 0.8, 0.8), 3e-4),
     "Cook-Torrance 0.3": (cook_torrance(0.3), (0, 60), (0.9956, 0.9248), 3e-4),

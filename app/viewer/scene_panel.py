@@ -102,7 +102,7 @@ class ScenePanel:
         scene = self.stage.scene
         for label in scene.labels:
             point = self.points[f"label {label.probe}"]
-            self.word(label.text, style.ink(label.colour, theme), point, corner, room, theme)
+            self.word(label.text, style.ink(label.colour, theme), point, corner, room, theme, beside=False)
         for mark in scene.marks:
             if mark.label:
                 self.word(
@@ -122,9 +122,11 @@ class ScenePanel:
             imgui.get_window_draw_list().add_text(at, style.u32(rgb(theme.quiet), 0.7), "0 faulty pixels")
 
     def word(
-        self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4
+        self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4,
+        beside: bool = True,
     ) -> None:
-        """A word beside its point, kept inside the picture, with a halo of the background; none for a point outside."""
+        """A word beside its point or on it, as in stills; kept inside the picture, with a halo of the background.
+        None for a point outside."""
         assert self.stage is not None
         across, down, w = orbit.project(point, self.stage.matrix)
         if w <= 0 or not (-0.05 <= across <= 1.05 and -0.05 <= down <= 1.05):
@@ -134,8 +136,8 @@ class ScenePanel:
             [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
         )  # outwards, off the lines it names
         away = away / np.hypot(*away) if np.hypot(*away) > gap else np.array([0.0, -1.0])
-        x = at.x + away[0] * (gap + size.x / 2) - size.x / 2
-        y = at.y + away[1] * (gap + size.y / 2) - size.y / 2
+        x = at.x + beside * away[0] * (gap + size.x / 2) - size.x / 2
+        y = at.y + beside * away[1] * (gap + size.y / 2) - size.y / 2
         x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)
         y = min(max(y, corner.y + gap), corner.y + room.y - size.y - gap)
         draw, back, front = imgui.get_window_draw_list(), style.u32(rgb(theme.background), 0.85), style.u32(shade)
