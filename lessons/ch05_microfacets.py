@@ -682,7 +682,7 @@ light, to second bounces. 6 minutes.
     values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0, low=0.0, high=89.5),
             Value("theta_v", 30.0, low=0.0, high=89.5),
             Value("prefactor", 0, choices=("1/4, consistent", "as printed, 1/π")), Value("phi", 140.0, more=True),
-            Value("f0", 0.95, more=True)),
+            Value("f0", 0.95, more=True), Value("lobe_scale", 0, choices=("f", "f n·l", "log f"), more=True)),
     minutes=6,
 )
 
@@ -1017,7 +1017,7 @@ vec3 shade(Surface s) {
     float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
-    return vec3(1.0, 0.97, 0.92) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
+    return vec3(1.0, 0.93, 0.80) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
 }
 
 vec3 mark_point(int mark, float t) {

@@ -178,7 +178,7 @@ $\colour{l}{\text{ring}}$ to [the near stones](?theta=36), [Brewster](?theta=53.
 """,
     scene=Scene(
         glsl="""
-#include "optics/interface.glsl"
+#include "optics/fresnel.glsl"
 uniform float theta;
 uniform float eta;
 uniform float polariser;
@@ -695,7 +695,8 @@ For an insulator $F_0$ and the index are one thing told twice:
 
 $$F_0 = \left(\frac{\eta-1}{\eta+1}\right)^2, \qquad \eta = \frac{1+\sqrt{F_0}}{1-\sqrt{F_0}}$$
 
-Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done.
+Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done. Check the
+deck's table, row by row: [low glass](?material=glass), 0.03, is printed as 0.21 for the screen, and is 0.19.
 
 The light not reflected goes in; some comes back as the **diffuse** body colour. So the body must be darker where the
 mirror is brighter. On the large ball the left half does that, $\colour{exact}{(1-F)}$; the right half
@@ -705,6 +706,7 @@ $\colour{printed}{\text{adds them up}}$, and its rim gives more than it got. Try
     scene=Scene(
         glsl=INSULATOR_GLSL + """
 uniform float eta;
+uniform int material;
 
 const vec3 LARGE = vec3(0.0, 0.0, 1.75);
 const float SIZE = 2.5;
@@ -730,6 +732,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
+    if (mark == 1) return small(material) + 1.08 * vec3(cos(2.0 * PI * t), 0.0, sin(2.0 * PI * t));
     return LARGE + (SIZE + 0.02) * vec3(0.0, -sin(PI * t), cos(PI * t));
 }
 
@@ -741,7 +744,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("large ball", cells=(64, 4)), Surface("balls", cells=(164, 2))),
-        marks=(Mark("divide", colour="quiet", segments=48),),
+        marks=(Mark("divide", colour="quiet", segments=48),
+               Mark("chosen", colour="exact", line="dashed", segments=64)),
         labels=(*(Label(name, i) for i, name in enumerate(MATERIAL_NAMES[:5])),
                 Label("(1 − F) body", 5), Label("body + F", 6, "printed")),
         handles=(Handle("the index", 7, ("eta",)),),
@@ -757,8 +761,9 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("head-on F0", Term("f0_from_eta"), role="exact", unit=""),
-        Readout("of diffuse light", Term("f_average_dielectric"), role="exact", unit=""),
-        Readout("the same by Schlick", Term("f_average_schlick_eta"), role="estimate", unit="", against="of diffuse light"),
+        Readout("the table's F0", Term("material_f0_printed", {"channel": 0}), role="printed", unit=""),
+        Readout("its sRGB", Term("material_srgb_of_printed", {"channel": 0}), role="exact", unit=""),
+        Readout("sRGB, printed", Term("material_srgb_printed", {"channel": 0}), role="printed", unit="", against="its sRGB"),
     ),
     ask=Prediction(
         question="A stone reflects 17 % head-on: the table's diamond. What is its index?",
@@ -779,7 +784,7 @@ entries of the tables' sRGB columns are not the sRGB of the linear ones: 0.21 fo
              "Phillip & Taft 1964: indices", "Walsh 1926: the mean over the hemisphere"),
     honesty="F0 and the mean are exact for a clear, smooth boundary. (1 − F) once is a first step: light also meets the "
             "boundary on its way out. The small balls use measured indices, not the printed shares.",
-    values=(Value("eta", 1.5, low=1.0, high=3.0),),
+    values=(Value("eta", 1.5, low=1.0, high=3.0), Value("material", 0, high=4, choices=MATERIAL_NAMES)),
     minutes=5,
 )
 
