@@ -70,7 +70,7 @@ def d_bumps(m, bump_slope):
     m (...), bump_slope sigma (...). Returns (...) 1/sr. Errors: none; m below 1e-5 is taken as 1e-5.
     Source: derived for this course: a polynomial times an exponential.
     """
-    _, q = _narrowed(m, bump_slope)
+    both, q = _narrowed(m, bump_slope)
     return (1 + 2 * q * (1 + q)) / (pi * both)
 
 
