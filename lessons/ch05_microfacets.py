@@ -122,7 +122,7 @@ vec4 probe(int i) { return vec4(i == 0 ? bar_end() : -0.7, -1.02, -DEEP - (i == 
         marks=(Mark("scale bar", width=1.6), Mark("its start", width=1.6), Mark("its end", width=1.6)),
         labels=(Label("0.2 mm", 1),),
         handles=(Handle("the scale", 0, ("zoom",)),),
-        camera=Camera(azimuth=-74, elevation=33, distance=5.3, target=(0.02, 0.0, -0.16)),
+        camera=Camera(azimuth=-74, elevation=33, distance=5.7, target=(0.02, 0.0, -0.16)),
     ),
     plot=Curves(
         title="Where single grooves can still be seen", sweep="groove_width",
@@ -551,8 +551,8 @@ many. Of these a share $\colour{g}{G}$ stands free, and each reflects a share $\
 $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)}$$
 
 The small balls show one factor each, the large one the product. Only $F$ has a colour. Take the
-$\colour{l}{\text{lamp}}$ [behind the ball](?theta_l=87&theta_v=87&phi=180): there $F$ nears 1 in every colour, and gold
-shines in *the lamp's colour*.
+$\colour{l}{\text{lamp}}$ [behind the ball](?theta_l=82&theta_v=82&phi=180): there $F$ climbs towards 1 in every colour, and gold
+pales to *the lamp's colour*.
 
 The deck writes $1/\pi$ for $1/4$, after Lambert. But the facets are counted around $h$, light around $l$, and
 $d\omega_l = 4\,(l\cdot h)\,d\omega_h$: that is the 4. [As printed](?prefactor=1), the ball in the furnace shines
@@ -609,7 +609,8 @@ vec3 shade(Surface s) {
     float x = max(0.0, 1.0 - l_dot_h), x5 = x * x * x * x * x;
     vec3 f = f0 * GOLD + (1.0 - f0 * GOLD) * x5;
     if (s.id == 3) return f;
-    return shadow + 4.0 * PI * m * m * scale * cook_torrance_dg(n, l, s.v, m) * n_dot_l * f; // a head-on highlight shows F0
+    float exposure = 4.0 * PI * m * m / (1.0 + 1.5 * m * m * m * m); // a head-on highlight of a smooth ball shows F0
+    return shadow + exposure * scale * cook_torrance_dg(n, l, s.v, m) * n_dot_l * f;
 }
 
 vec3 mark_point(int mark, float t) {
@@ -675,12 +676,13 @@ light, to second bounces. 6 minutes.
 """,
     sources=("Deck, slides The Cook - Torrance Model (1) and (2)", "Cook & Torrance 1982", "Torrance & Sparrow 1967",
              "Walter et al. 2007: the half-vector's 4 l.h"),
-    honesty="D is Beckmann's, G that of V-grooves, F Schlick's with gold's F0. The lamp is exposed for "
-            "m: a head-on highlight shows F0. The ball in the furnace is summed over 72 facets, within 0.02; numbers are exact. Light that "
-            "bounces twice is left out.",
-    values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0), Value("theta_v", 30.0),
+    honesty="D is Beckmann's, G that of V-grooves, F Schlick's with gold's F0. The lamp is exposed for m, so that wide "
+            "highlights show too. The ball in the furnace is summed over 72 facets, within 0.02; numbers are exact. Light "
+            "that bounces twice is left out.",
+    values=(Value("m", 0.3, low=0.05, high=1.0), Value("theta_l", 50.0, low=0.0, high=89.5),
+            Value("theta_v", 30.0, low=0.0, high=89.5),
             Value("prefactor", 0, choices=("1/4, consistent", "as printed, 1/π")), Value("phi", 140.0, more=True),
-            Value("f0", 0.95, more=True)),
+            Value("f0", 0.95, more=True), Value("lobe_scale", 0, choices=("f", "f n·l", "log f"), more=True)),
     minutes=6,
 )
 
@@ -827,7 +829,7 @@ exponent 10 (m = 0.408) only 0.349 of the plate is there. 7 minutes.
              "Walter et al. 2007; Trowbridge & Reitz 1975: GGX"),
     honesty="The facets' slopes are Beckmann's: a surface of random Gaussian heights, so only that formula fits the bars. They "
             "are evenly drawn, not by chance; counting still errs where a ring holds few. Gauss's constant is a quadrature.",
-    values=(Value("m", 0.35, low=0.08, high=1.0), Value("theta_h", 20.0, low=0.0, high=85.0),
+    values=(Value("m", 0.35, low=0.08, high=0.65), Value("theta_h", 20.0, low=0.0, high=85.0),
             Value("ndf", 2, choices=("Gauss", "cosine lobe", "Beckmann", "GGX")),
             Value("rows", 36, low=2, high=64)),
     minutes=7,
@@ -861,7 +863,7 @@ uniform float slope_ratio;
 
 const float APART = 2.15;
 const float WIDE = 1.9; // of a box, six m
-const float TALL = 1.75; // of the peak
+const float TALL = 1.62; // of the peak
 const float FLOOR = -2.35;
 
 // The middle of window 0 stable, 1 fast, 2 expensive
@@ -876,7 +878,7 @@ float density(int way, vec2 x) { // over its peak
 }
 
 vec3 in_box(int way, float x, float height) {
-    return vec3(window(way).x + x * WIDE / 6.0, -0.02, FLOOR + TALL * clamp(height, 0.0, 1.3));
+    return vec3(window(way).x + x * WIDE / 6.0, -0.02, FLOOR + TALL * clamp(height, 0.0, 1.5));
 }
 
 vec3 surface_point(int surface, vec2 s) {
@@ -1015,7 +1017,7 @@ vec3 shade(Surface s) {
     float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
-    return vec3(1.0, 0.97, 0.92) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
+    return vec3(1.0, 0.93, 0.80) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
 }
 
 vec3 mark_point(int mark, float t) {
@@ -1033,7 +1035,7 @@ vec4 probe(int i) {
         surfaces=tuple(Surface(f"ball {i}", cells=(40, 8) if i else (64, 10)) for i in range(6)),
         marks=(Mark("seam", colour="quiet", segments=48), Mark("to the light", colour="l", tip="sun", label="l")),
         labels=(Label("Beckmann", 1, "d"), Label("cosine lobe", 2, "printed"),
-                *(Label(f"m = {m}", i + 3) for i, m in enumerate(("0.08", "0.14", "0.25", "0.45", "0.8")))),
+                *(Label(m, i + 3) for i, m in enumerate(("m = 0.08", "0.14", "0.25", "0.45", "0.8")))),
         handles=(Handle("the lamp", 0, ("theta_l",)),),
         camera=Camera(azimuth=-90, elevation=0, distance=30, target=(0.0, 0.0, -0.05), field_of_view=12),
     ),

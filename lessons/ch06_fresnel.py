@@ -72,7 +72,7 @@ float share(int beam) {
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 3) {
         vec3 d = along(surface), across = vec3(d.z, 0.0, -d.x);
-        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) + vec3(0.0, -0.01, 0.0);
+        return d * (1.9 * s.x - 0.3) + across * (s.y - 0.5) * WIDE * share(surface) - vec3(0.0, 0.01 * float(3 - surface), 0.0);
     }
     if (surface == 3) return vec3(2.35 + 0.3 * s.x, -0.01, -1.4 + 2.6 * s.y);
     if (surface == 4) return vec3(-2.0 + 4.0 * s.x, 0.0, -1.5 * s.y);
@@ -91,7 +91,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
-    vec3 lift = vec3(0.0, -0.03, 0.0);
+    vec3 lift = vec3(0.0, -0.05, 0.0);
     if (mark == 0) return vec3(0.0, 0.0, 1.5 * t) + lift;
     if (mark == 1) return 1.75 * t * along(0) + lift;
     if (mark == 2) return 1.6 * t * along(1) + lift;
@@ -174,11 +174,11 @@ more than light that swings *along* it ($\colour{printed}{p}$), and at **Brewste
 reflected at all. A polariser picks one: [s only](?polariser=0), [both](?polariser=45), [p only](?polariser=90).
 
 With $p$ only the mirror goes out along the dashed line, and you see the ground there. Photographers know. Walk the
-$\colour{l}{\text{ring}}$ to [your feet](?theta=25), [Brewster](?theta=53.1), [far out](?theta=87).
+$\colour{l}{\text{ring}}$ to [the near stones](?theta=36), [Brewster](?theta=53.1), [far out](?theta=87).
 """,
     scene=Scene(
         glsl="""
-#include "optics/interface.glsl"
+#include "optics/fresnel.glsl"
 uniform float theta;
 uniform float eta;
 uniform float polariser;
@@ -295,7 +295,7 @@ lies near Brewster's angle. Ripples tilt the normal a little, so the far mirror 
     sources=("Deck, slides Fresnel Term (2) and (3)", "Fresnel 1823", "Brewster 1815", "Malus 1809"),
     honesty="The share is exact for each pixel's angle. Ripples, stones and evening are made up; the light of the ground is "
             "taken as unpolarised, and its loss on the way up through the water is left out.",
-    values=(Value("theta", 70.0, low=15.0, high=88.0), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
+    values=(Value("theta", 70.0, low=15.0, high=87.5), Value("polariser", 45.0), Value("eta", 1.333, low=1.1, high=3.0, more=True)),
     minutes=7,
 )
 
@@ -366,7 +366,8 @@ vec3 shade(Surface s) {
 
 vec3 mark_point(int mark, float t) {
     vec3 lift = vec3(0.0, -0.04, 0.0);
-    if (mark < 3) return leg(mark, theta, mark == 1 && share(1, theta) <= 0.0 ? 0.0 : t) + lift;
+    if (mark == 1 && share(1, theta) <= 0.0) return vec3(0.0, 0.0, -99.0); // out of the picture: there is none
+    if (mark < 3) return leg(mark, theta, t) + lift;
     if (mark == 3) return vec3(-3.3 + 6.6 * t, 0.0, 0.0) + lift;
     float top = DEEP * tan(min(theta, 1.2));
     if (mark == 4) return vec3(top, 0.0, -0.75 + 1.9 * t) + lift;
@@ -694,7 +695,8 @@ For an insulator $F_0$ and the index are one thing told twice:
 
 $$F_0 = \left(\frac{\eta-1}{\eta+1}\right)^2, \qquad \eta = \frac{1+\sqrt{F_0}}{1-\sqrt{F_0}}$$
 
-Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done.
+Water is 0.02, nearly everything else 0.03 to 0.05, stones up to 0.17. Most programs set 0.04 and are done. Check the
+deck's table, row by row: [low glass](?material=glass), 0.03, is printed as 0.21 for the screen, and is 0.19.
 
 The light not reflected goes in; some comes back as the **diffuse** body colour. So the body must be darker where the
 mirror is brighter. On the large ball the left half does that, $\colour{exact}{(1-F)}$; the right half
@@ -704,6 +706,7 @@ $\colour{printed}{\text{adds them up}}$, and its rim gives more than it got. Try
     scene=Scene(
         glsl=INSULATOR_GLSL + """
 uniform float eta;
+uniform int material;
 
 const vec3 LARGE = vec3(0.0, 0.0, 1.75);
 const float SIZE = 2.5;
@@ -729,6 +732,7 @@ vec3 shade(Surface s) {
 }
 
 vec3 mark_point(int mark, float t) {
+    if (mark == 1) return small(material) + 1.08 * vec3(cos(2.0 * PI * t), 0.0, sin(2.0 * PI * t));
     return LARGE + (SIZE + 0.02) * vec3(0.0, -sin(PI * t), cos(PI * t));
 }
 
@@ -740,7 +744,8 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("large ball", cells=(64, 4)), Surface("balls", cells=(164, 2))),
-        marks=(Mark("divide", colour="quiet", segments=48),),
+        marks=(Mark("divide", colour="quiet", segments=48),
+               Mark("chosen", colour="exact", line="dashed", segments=64)),
         labels=(*(Label(name, i) for i, name in enumerate(MATERIAL_NAMES[:5])),
                 Label("(1 − F) body", 5), Label("body + F", 6, "printed")),
         handles=(Handle("the index", 7, ("eta",)),),
@@ -756,8 +761,9 @@ vec4 probe(int i) {
     ),
     readouts=(
         Readout("head-on F0", Term("f0_from_eta"), role="exact", unit=""),
-        Readout("of diffuse light", Term("f_average_dielectric"), role="exact", unit=""),
-        Readout("the same by Schlick", Term("f_average_schlick_eta"), role="estimate", unit="", against="of diffuse light"),
+        Readout("the table's F0", Term("material_f0_printed", {"channel": 0}), role="printed", unit=""),
+        Readout("its sRGB", Term("material_srgb_of_printed", {"channel": 0}), role="exact", unit=""),
+        Readout("sRGB, printed", Term("material_srgb_printed", {"channel": 0}), role="printed", unit="", against="its sRGB"),
     ),
     ask=Prediction(
         question="A stone reflects 17 % head-on: the table's diamond. What is its index?",
@@ -778,7 +784,7 @@ entries of the tables' sRGB columns are not the sRGB of the linear ones: 0.21 fo
              "Phillip & Taft 1964: indices", "Walsh 1926: the mean over the hemisphere"),
     honesty="F0 and the mean are exact for a clear, smooth boundary. (1 − F) once is a first step: light also meets the "
             "boundary on its way out. The small balls use measured indices, not the printed shares.",
-    values=(Value("eta", 1.5, low=1.0, high=3.0),),
+    values=(Value("eta", 1.5, low=1.0, high=3.0), Value("material", 0, high=4, choices=MATERIAL_NAMES)),
     minutes=5,
 )
 

@@ -490,8 +490,10 @@ def test_a_scale_keeps_still_and_shows_lobes_of_all_sizes():
 
 
 def test_a_pair_outside_the_plane_of_a_slice_is_told(plots):
-    image = drawn(plots, SLICES[1], LIGHT_AND_EYE | {"phi": 2.0})
-    assert near(image, rgb("#FF4FD8"), 2).sum() > 100, "the box of the notice"
+    inside, beside = (drawn(plots, SLICES[1], LIGHT_AND_EYE | {"phi": phi}) for phi in (math.pi, 2.0))
+    words = [near(image[-90:], rgb(DARK.quiet), 40).sum() for image in (inside, beside)]
+    assert words[1] > 1.5 * words[0], "a longer line below the plot"
+    assert not near(beside, rgb("#FF4FD8"), 2).any(), "and no fault's box over it"
 
 
 def test_long_names_of_models_are_written_smaller(plots):

@@ -215,6 +215,10 @@ def a_lamp_above(a: dict, rng) -> dict:
     return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
 
 
+def above_the_floor(a: dict, rng) -> dict:
+    """Globes that hang free, seen from within a room: from afar the cosine of their slant is rounding."""
+    near = {name: f32(np.clip(a[name], -4, 4)) for name in ("from_wall", "along_wall")}
+    return a | near | {"source_radius": f32(np.minimum(a["source_radius"], 0.5))}
 def mirrored_by_some(a: dict, rng) -> dict:
     """Facets that mirror something head-on: else F is 1 - l.h to the fifth, and that is rounded before."""
     spread = mirrored({"m": draw("m", rng)} | a, rng)
@@ -229,10 +233,6 @@ def off_the_horizon(a: dict, rng) -> dict:
 def wider_than_a_step(a: dict, rng) -> dict:
     """Facets wide enough that float32 knows where in their lobe a bump lies."""
     return a | {"m": f32(np.maximum(a["m"], 0.05)), "facets": np.minimum(a["facets"], 3000)}
-def above_the_floor(a: dict, rng) -> dict:
-    """Globes that hang free, seen from within a room: from afar the cosine of their slant is rounding."""
-    near = {name: f32(np.clip(a[name], -4, 4)) for name in ("from_wall", "along_wall")}
-    return a | near | {"source_radius": f32(np.minimum(a["source_radius"], 0.5))}
 
 
 JOINT = {  # arguments that belong together

@@ -121,11 +121,14 @@ def albedo_cook_torrance(theta_v, m, f0):
     shape = np.broadcast_shapes(*map(np.shape, (theta_v, m, f0)))
     t, m, f0 = (np.broadcast_to(np.asarray(x, float), shape) for x in (theta_v, m, f0))
     m = np.maximum(m, SMOOTHEST)
-    x, weight = _tilts(t, m)
-    n_dot_v = np.maximum(np.cos(t), 1e-7)[..., None]  # the closed form cancels by 1 over this
-    c = 1 / np.sqrt(1 + (m[..., None] * x) ** 2)
-    return np.sum(weight * 2 * x * np.exp(-x * x) * _turned(c, m[..., None] * x * c, n_dot_v, np.sin(t)[..., None],
-                                                            f0[..., None]) / (pi * c * n_dot_v), -1)
+    x, weight = (y.reshape(t.size, -1) for y in _tilts(t, m))
+    rows, nodes = np.nonzero(weight)  # about half of the pieces are empty
+    x, weight, t, m, f0 = x[rows, nodes], weight[rows, nodes], t.ravel()[rows], m.ravel()[rows], f0.ravel()[rows]
+    n_dot_v = np.maximum(np.cos(t), 1e-7)  # the closed form cancels by 1 over this
+    slope = m * x
+    c = 1 / np.sqrt(1 + slope * slope)
+    share = weight * 2 * x * np.exp(-x * x) * _turned(c, slope * c, n_dot_v, np.sin(t), f0) / (pi * c * n_dot_v)
+    return np.bincount(rows, share, np.prod(shape, dtype=int)).reshape(shape)[()]
 
 
 def albedo_cook_torrance_printed(theta_v, m, f0):
@@ -154,16 +157,20 @@ def _turned(c, s, n_dot_v, sine, f0):
     shift = np.stack([-0.5 * steep / c, np.zeros_like(c), upper])
     head, turn = slope * a + shift, slope * b  # G u = head + turn cos phi
     one = np.sum(head * pieces[0] + turn * pieces[1], 0)
-    fifth, below = 0.0, 1 - a  # (1 - u)^5 = (below - b cos phi)^5
+    if np.all(f0 == 1):
+        return one
+    fifth, below, factor = 0.0, 1 - a, 1.0  # (1 - u)^5 = (below - b cos phi)^5, by Horner's rule in `below`
     for k, ways in enumerate((1, 5, 10, 10, 5, 1)):
-        fifth = fifth + ways * below ** (5 - k) * (-b) ** k * np.sum(head * pieces[k] + turn * pieces[k + 1], 0)
+        fifth = fifth * below + ways * factor * np.sum(head * pieces[k] + turn * pieces[k + 1], 0)
+        factor = factor * -b
     return f0 * one + (1 - f0) * fifth
 
 
 def _moments(phi):
     """int_0^phi cos^k for k from 0 to 6."""
     sine, cosine = np.sin(phi), np.cos(phi)
-    found = [phi, sine]
+    found, power = [phi, sine], sine
     for k in range(2, 7):
-        found.append(sine * cosine ** (k - 1) / k + (k - 1) / k * found[k - 2])
+        power = power * cosine
+        found.append(power / k + (k - 1) / k * found[k - 2])
     return np.stack(found)

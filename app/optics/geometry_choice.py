@@ -25,8 +25,13 @@ def geometry_term(n_dot_h, n_dot_v, n_dot_l, l_dot_h, m, geometry):
     cosines = np.broadcast_arrays(*(np.asarray(x, float) for x in (n_dot_h, n_dot_v, n_dot_l, l_dot_h, m)))
     which = np.broadcast_to(np.asarray(geometry), np.broadcast_shapes(np.shape(geometry), cosines[0].shape))
     _, n_dot_v, n_dot_l, _, m = cosines
-    terms = [np.ones_like(m), g_vgroove(*cosines[:4]), g_smith_separable(n_dot_v, n_dot_l, m)]
-    return np.select([which == k for k in range(3)], terms, g_smith_correlated(n_dot_v, n_dot_l, m))[()]
+    terms = {0: lambda: np.ones_like(m), 1: lambda: g_vgroove(*cosines[:4]),
+             2: lambda: g_smith_separable(n_dot_v, n_dot_l, m), 3: lambda: g_smith_correlated(n_dot_v, n_dot_l, m)}
+    which = np.where(np.isin(which, range(3)), which, 3)
+    found = np.zeros(which.shape)
+    for k in np.unique(which):  # only those that are asked for: Smith's terms take long
+        found = np.where(which == k, terms[int(k)](), found)
+    return found[()]
 
 
 def geometry_at(theta_l, theta_v, phi, m, geometry):

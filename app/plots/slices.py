@@ -22,6 +22,7 @@ class SlicePart:
         self.plot, self.look, self.scale = plot, look, Scale()
         self.shown: list[Lit] = []
         self.legend: Legend | None = None
+        self.now: float | None = 0.0  # the picked direction's angle, if it is in the plane
 
     @property
     def entries(self) -> list[Entry]:
@@ -34,9 +35,12 @@ class SlicePart:
     def footer(self) -> np.ndarray | None:
         if self.legend is None:
             return None
-        note = f"angle of the {'eye' if self.plot.over == 'v' else 'light'}, mirror side > 0"
+        one = "eye" if self.plot.over == "v" else "light"
+        note = f"angle of the {one}, mirror side > 0"
         if self.plot.kind == "polar":
             note = self.scale.words(unit_of(self.shown))
+        if self.now is None:
+            note = f"{note}; the {one} stands beside this plane"
         return self.legend.strip(self.shown, note, LINES)
 
     def build(self, plotter, values: dict) -> None:
@@ -52,12 +56,11 @@ class SlicePart:
         self.lines = [self.line(one) for one in self.shown]
         self.scale.fit([f for _, f in self.lines], int(values.get("lobe_scale", 0)))
         self.still = self.angle(one.still)
-        self.now: float | None = self.angle(one.picked)
+        self.now = self.angle(one.picked)
         across = np.cross(NORMAL, self.side)
         found = [words for one, (_, f) in zip(self.shown, self.lines, strict=True) for words in notices(one, f)]
         if abs(one.picked @ across) > IN_PLANE:
             self.now = None
-            found.append(f"{'the eye' if self.plot.over == 'v' else 'the light'} is not in this plane")
         return found
 
     def angle(self, d: np.ndarray) -> float:
