@@ -627,13 +627,13 @@ vec3 factor(vec3 n, vec3 l, vec3 v) {
         vec3 w = shows == 6 ? n : h;
         return pow(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), vec3(2.2));
     }
-    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint) : 0.35 * background;
+    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint + f0) : 0.35 * background;
     if (shows == 2) return mix(0.15 * background, palette[COLOUR_G], g_vgroove(dot(n, h), n_dot_v, n_dot_l, dot(l, h)));
     if (shows == 3) return mix(0.15 * background, palette[COLOUR_F], sqrt(f_schlick(dot(l, h), f0)));
     float value = shows == 1 ? d_beckmann(n, s, m) : brdf_cook_torrance(n, l, v, m, f0);
     if (shows == 1 || shows == 4) return decades(value, -3.0, 2.0);
     vec3 body = paint * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
-    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint));
+    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint + f0));
 }
 
 vec3 shade(Surface s) {
@@ -864,7 +864,7 @@ uniform int map_layers, map_trap;
 vec3 surface_point(int surface, vec2 s) {
     vec2 p = 2.0 * s - 1.0;
     if (surface == 4) return vec3(0.42 + 1.02 * p.x, 1.02 * p.y, 0.0);
-    return vec3(-1.02 + 0.26 * p.x, 0.86 - 0.6 * float(surface) + 0.21 * p.y, 0.0);
+    return vec3(-1.02 + 0.25 * p.x, 0.86 - 0.55 * float(surface) + 0.19 * p.y, 0.0);
 }
 
 vec3 shade(Surface s) {
