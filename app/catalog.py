@@ -10,7 +10,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 from app import shader
-from app.lesson import Chapter, Curves, Figure, Ledger, ModelPlot, Number, Scene, Step, Term, Value
+from app.lesson import Chapter, Curves, Faces, Figure, Ledger, ModelPlot, Number, Scene, Step, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
@@ -195,7 +195,7 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     listed = {value.name: value for value in step.values}
     names = [*listed, *(name for name in shader.uniforms(scene.glsl) if name in TABLE)]
     if any(surface.mesh for surface in scene.surfaces):
-        names += ["shape"] * (len(scene.meshes) > 1) + ["eye"]
+        names += ["shape"] * (len(scene.meshes) > 1) + ["eye"] * any(isinstance(plot, Faces) for plot in step.plots)
     names += [table.choice for table in scene.tables if table.choice]
     if scene.dots and isinstance(scene.dots.count, str):
         names.append(scene.dots.count)

@@ -32,3 +32,29 @@ def winding(faces: np.ndarray) -> str:
     if clash:
         return f"its faces disagree at {clash} edges on which side is outside: do not trust its solid angle"
     return f"open: {rim} edges have a face on one side only" if rim else "closed"
+
+
+CREASE = 0.7  # faces whose normals' cosine is below this meet in an edge that is meant to be sharp
+AROUND = 64  # faces around a corner that are looked at
+
+
+def corner_normals(triangles: np.ndarray) -> np.ndarray:
+    """(F, 3, 3) a unit normal for each corner of each face: the mean of the faces there that are about as steep, each by
+    its area. A face without area has +z."""
+    flat = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    size = np.linalg.norm(flat, axis=-1, keepdims=True)
+    unit = np.where(size > 0, flat / np.where(size > 0, size, 1), [0.0, 0.0, 1.0])
+    place = shared_corners(triangles).ravel()
+    order = np.argsort(place, kind="stable")
+    count = np.bincount(place)
+    start, many = (np.cumsum(count) - count)[place[order]], count[place[order]]
+    at, face = np.arange(len(order)) - start, order // 3
+    total = flat[face]
+    for step in range(1, min(int(count.max(initial=1)), AROUND)):
+        other = face[start + (at + step) % many]
+        near = (step < many) & (np.einsum("ij,ij->i", unit[face], unit[other]) > CREASE)
+        total = total + np.where(near[:, None], flat[other], 0)
+    length = np.linalg.norm(total, axis=-1, keepdims=True)
+    found = np.empty((len(order), 3))
+    found[order] = np.where(length > 0, total / np.where(length > 0, length, 1), unit[face])
+    return found.reshape(-1, 3, 3)

@@ -232,11 +232,19 @@ TABLE: dict[str, Quantity] = {
     "steep": Quantity(r"\tan a", "", 0.05, 20.0, 1.0, "tangent of a facet's tilt", (0.0, 1e9), "log"),
     "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
     "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
+    "shows": Quantity("k", "", 0, 9, 0, "what the picture shows", kind="int"),
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "slope of the bumps along one axis, RMS", extreme=(1e-3, 1.0)),
     "bumps": Quantity("N", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
     # plausible shading
     "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),
+    "luminance": Quantity("L_v", "cd/m^2", 0.1, 1e4, 25.0, "light towards the eye, per area seen", (1e-6, 1e9), "log"),
+    "ev100": Quantity("EV", "", -2.0, 16.0, 6.0, "exposure of a camera at ISO 100: 1 more lets in half the light",
+                      extreme=(-20.0, 30.0)),
+    "scene_linear": Quantity("x", "", 0.0, 16.0, 0.5, "linear number of a camera: 1 is just full", (0.0, 1e6)),
+    "globe": Quantity("k", "", 0, 2, 0, "which of three lamps", kind="int"),
+    "taken": Quantity("k", "", 0, 1, 0, "what a program takes for L_i: L, or I/r²", kind="int"),
+    "curve": Quantity("k", "", 0, 2, 0, "which tone curve: cut at 1, Reinhard, ACES fit", kind="int"),
 }
 
 # Vectors that are no values of a step: they follow from its angles

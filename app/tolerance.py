@@ -17,6 +17,7 @@ from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
+from app.optics.solid_angle_flat import _dot, _fan
 from app.optics.scale_effect import _variances
 from app.optics.solid_angle_flat import _dot, _fan
 from app.optics.spherical import direction

@@ -1025,7 +1025,7 @@ vec3 shade(Surface s) {
     float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
-    return vec3(1.0, 0.97, 0.92) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
+    return vec3(1.0, 0.93, 0.80) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
 }
 
 vec3 mark_point(int mark, float t) {

@@ -178,7 +178,7 @@ $\colour{l}{\text{ring}}$ to [the near stones](?theta=36), [Brewster](?theta=53.
 """,
     scene=Scene(
         glsl="""
-#include "optics/interface.glsl"
+#include "optics/fresnel.glsl"
 uniform float theta;
 uniform float eta;
 uniform float polariser;

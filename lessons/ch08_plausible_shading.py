@@ -8,11 +8,15 @@ from app.lesson import (
     Camera,
     Chapter,
     Check,
+    Choice,
     Curve,
     Curves,
     Exercise,
     Handle,
     Label,
+    Ledger,
+    LedgerRow,
+    Lobes,
     Mark,
     Model,
     Prediction,
@@ -28,6 +32,434 @@ PI = 3.141592653589793
 PLAUSIBLE = "Plausible Shading – {}".format
 COUPLINGS = ("added up", "1 − F(l·h)", "1 − F(n·l)", "in and out")
 
+MATERIAL_NAMES = ("water", "plastic", "plastic, high", "ruby", "diamond", "gold", "silver", "copper", "iron", "aluminium")
+RED = {"material": 2, "channel": 0}
+
+COMPARE = Step(
+    name="compare",
+    title="Two models, one lamp: which is the photograph?",
+    idea="Head-on both models look alike; with the lamp behind, only Cook-Torrance brightens and whitens as real things do.",
+    slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
+    prose=r"""
+A metal vase, twice, and a plastic one, twice. Both times it has the same colour, the same width of highlight, the same peak
+with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
+
+**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
+$\theta$ its highlight is
+
+$$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
+
+times the one head-on. Insulators win most: their $F$ has farthest to rise, so plastic in back light wears a bright white
+edge. Metals whiten: [gold](?material=gold&theta_d=75), [copper](?material=copper&theta_d=75).
+
+Cook and Torrance themselves drew copper vases, in 1982; until then copper came out as brown plastic. With
+[rougher ones](?m=0.4) the two models part less.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/matter.glsl"
+#include "display/look.glsl"
+#include "display/rough_room.glsl"
+#include "display/vase.glsl"
+uniform int material;
+uniform float m;
+uniform float theta_d;
+
+const int PLASTIC = 2;
+
+int row_of(int vase) { return vase % 2 == 0 ? material : PLASTIC; }
+vec2 axis(int vase) { return vec2(1.28 * (float(vase) - 1.5) + (vase < 2 ? -0.06 : 0.06), 0.0); }
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 4) return vec3(6.2 * (s.x - 0.5), 1.7, 4.0 * s.y - 0.47);
+    if (surface > 4) return vec3(5.6 * (s.x - 0.5), surface == 5 ? 1.4 * (s.y - 0.5) : -0.7, surface == 5 ? -0.002 : -0.12 * s.y);
+    return vase_point(axis(surface), s);
+}
+
+vec4 surface_value(int surface, vec2 s) {
+    if (surface > 3) return vec4(0.0);
+    vec3 n = vase_normal(axis(surface), s), v = normalize(camera_position - vase_point(axis(surface), s));
+    vec3 f = f_material(surface < 2 ? 1.0 : clamp(dot(n, v), 0.02, 1.0), row_of(surface));
+    return vec4(clamp(f, 0.0, 1.0) * rough_room(n, v, m, surface > 1), 1.0);
+}
+
+vec3 lamp() { return vec3(-sin(2.0 * theta_d) * 0.94, -cos(2.0 * theta_d) * 0.94, 0.34); }
+
+vec3 shade(Surface s) {
+    if (s.id == 4) return 0.55 * studio(-s.v);
+    if (s.id > 4) return vec3(0.16, 0.13, 0.11) * (s.id == 5 ? 1.0 : 0.6);
+    int row = row_of(s.id);
+    vec3 n = vase_normal(axis(s.id), s.st), l = normalize(lamp()), light = max(s.value.rgb, 0.0);
+    float n_dot_v = dot(n, s.v), n_dot_l = dot(n, l), f0 = f_dielectric(1.0, material_eta(row));
+    bool cook = s.id > 1, lit = n_dot_l > 0.0;
+    if (n_dot_v <= 0.0) return light;
+    if (row < INSULATORS) {
+        float left = cook ? 1.0 - f_dielectric(n_dot_v, material_eta(row)) : 1.0 - f0, in_out = 1.0 - f0;
+        if (cook && lit) in_out = PI * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
+        light += left * 0.6 * soft_light(RED_BODY, n, s.v) + RED_BODY * (0.5 * in_out * max(n_dot_l, 0.0));
+    }
+    if (!lit) return light;
+    float lobe = cook ? cook_torrance_dg(n, l, s.v, m)
+                      : normalisation_blinn_phong(exponent_from_m(m)) * lobe_blinn(n, l, s.v, exponent_from_m(m));
+    float u = cook ? 0.5 * length(l + s.v) : 1.0;
+    return light + clamp(f_material(u, row), 0.0, 1.0) * (n_dot_l * lobe * 8.0 * PI * m * m); // a mirror's peak shows as 2
+}
+
+const vec3 TRACK = vec3(0.0, 0.0, 2.75);
+
+vec3 mark_point(int mark, float t) { // the lamp goes around the vases
+    if (mark == 0) return TRACK + 1.9 * t * normalize(vec3(lamp().xy, 0.0));
+    if (mark == 1) return TRACK + vec3(0.0, -1.9 * t, 0.0);
+    return TRACK + 1.9 * vec3(-sin(PI * t), -cos(PI * t), 0.0);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(mark_point(0, 1.0), 1.0);
+    return vec4(i == 1 ? -1.75 : 0.85, -0.72, -0.36, 1.0);
+}
+""",
+        surfaces=(*(Surface(name, cells=(20, 24)) for name in ("metal, Blinn-Phong", "plastic, Blinn-Phong",
+                                                             "metal, Cook-Torrance", "plastic, Cook-Torrance")),
+                  Surface("room", cells=(1, 1)), Surface("board", cells=(1, 1)), Surface("board's edge", cells=(1, 1))),
+        marks=(Mark("to the lamp", colour="l", tip="sun", label="l"), Mark("to the eye", colour="v", tip="eye", label="v"),
+               Mark("the lamp's way", colour="quiet", line="dotted", segments=48)),
+        labels=(Label("Blinn-Phong", 1), Label("Cook-Torrance", 2)),
+        handles=(Handle("the lamp", 0, ("theta_d",)),),
+        camera=Camera(azimuth=-90, elevation=9, distance=16, target=(0.0, 0.0, 1.2), field_of_view=20),
+    ),
+    plot=Curves(
+        title="The highlight, head-on being 1", sweep="theta_d",
+        curves=(Curve("plastic, Cook-Torrance", Term("gain_cook_torrance", RED)),
+                Curve("gold, blue", Term("gain_cook_torrance", {"material": 5, "channel": 2}), role="estimate"),
+                Curve("gold, red", Term("gain_cook_torrance", {"material": 5, "channel": 0}), role="estimate", colour="#D55E00"),
+                Curve("Blinn-Phong, any", Term("gain_blinn_phong"), role="printed")),
+        y_label="times", y_scale="log",
+    ),
+    readouts=(
+        Readout("plastic, gain", Term("gain_cook_torrance", RED), role="exact", unit=""),
+        Readout("Blinn-Phong", Term("gain_blinn_phong"), role="printed", unit="", against="plastic, gain"),
+        Readout("metal, red", Term("gain_cook_torrance", {"channel": 0}), unit=""),
+        Readout("metal, blue", Term("gain_cook_torrance", {"channel": 2}), unit=""),
+    ),
+    models=(Model("Cook-Torrance", Term("brdf_matter", {"channel": 0}), "exact"),
+            Model("Blinn-Phong", Term("brdf_matter_blinn", {"channel": 0}), "printed")),
+    ask=Prediction(
+        question="You photograph the red plastic vase, the lamp first beside the camera, then behind the vase, so that light and "
+                 "eye both stand 75° from the normal of the highlight. How bright is it in the second photograph?",
+        truth=Term("gain_cook_torrance", RED | {"theta_d": 75 * PI / 180}),
+        unit="times",
+        choices=(Choice("a quarter: the light comes at a slant", 0.0, 0.6), Choice("as bright as before", 0.6, 2.0),
+                 Choice("about four times as bright", 2.0, 8.0), Choice("about twenty times as bright", 8.0, 60.0)),
+        sets={"theta_d": 75.0},
+        told="20 times. The mirror's share rises from 0.05 to 0.27, and cos θ divides once more. Blinn-Phong: a quarter.",
+    ),
+    notes="""
+Cover the labels, lamp beside the camera: nobody can tell the pairs apart. Walk the lamp behind and ask which vase of each pair
+they have seen in real life. Then the plot: at 75° two models with the same coefficients differ 77 times. Ask why
+insulators gain more than metals (a metal already reflects all it can), and why gold turns paler (blue
+gains more than red). The tempting answer is a quarter: the cosine is right, but the same cosine makes the facets look denser, twice: by
+n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes.
+""",
+    sources=("Deck, slides Cook Torrance - Comparison (1) and (2)", "Cook & Torrance 1982: the vases", "Johnson & Christy 1972, 1974; "
+             "Rakic 1995; Sultanova 2009: indices"),
+    honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
+            "F₀, the exponent 2/m² - 2. The room is a look, mirrored in 20 facets per corner. No shadows; no second bounces.",
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
+)
+
+CURVES = ("cut at 1", "Reinhard", "ACES fit")
+HALVED = {"luminous_flux": 400.0, "distance": 0.8, "ev100": 4.4, "curve": 0}
+
+QUANTITIES = Step(
+    name="quantities",
+    title="One number, from the lamp to the pixel",
+    idea="From the lamp's lumens to the number in a file a value is converted six times, and each time its unit says by what.",
+    slides=("Working with Shading Models",),
+    prose=r"""
+A renderer carries one number a long way. Here the lamp is in **lumens**, the picture is what a camera makes of the room,
+and the ledger shows every stop:
+
+$$\text{lm} \to \text{cd} \to \text{lx} \xrightarrow{\times f_s} \text{cd/m}^2 \xrightarrow{\div 1.2\cdot 2^{EV}}
+\text{sensor} \to \text{screen} \to 0\dots255$$
+
+Up to cd/m² it is **physics**, and your BRDF is one factor in it. Then the camera: its *exposure* says which luminance fills
+the sensor. One [EV more](?ev100=7) halves the light.
+
+The evening outside is far brighter than the desk. [Cut at 1](?curve=0&ev100=4) loses it; a **tone curve** like
+[Reinhard's](?curve=1&ev100=4) or the [ACES fit](?curve=2&ev100=4) bends instead. Last, sRGB stores about the square root: dark
+steps get more numbers. Never light with stored numbers: decode first.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/exposure.glsl"
+#include "display/balls.glsl"
+uniform float luminous_flux;
+uniform float distance;
+uniform float ev100;
+uniform int curve;
+uniform float rho;
+
+const vec3 UNDER = vec3(-0.25, 0.0, 0.0); // the card's middle, straight under the lamp
+const vec3 BALL = vec3(0.62, 0.02, 0.2);
+const float GLOBE = 0.05;
+
+vec3 lamp() { return UNDER + vec3(0.0, 0.0, distance); }
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return vec3(2.8 * s.x - 1.4, 1.4 * s.y - 0.5, 0.0);
+    if (surface == 1) return vec3(2.8 * s.x - 1.4, 0.9, 1.85 * s.y);
+    if (surface == 2) return UNDER + vec3(0.93 * s.x - 0.465, 0.5 * s.y - 0.25, 0.004);
+    if (surface == 3) return cap_to_eye(s, BALL, 0.2);
+    return cap_to_eye(s, lamp(), GLOBE);
+}
+
+vec3 evening(float up) { // cd/m^2, set: hills below a sky that gets darker upwards
+    vec3 sky = mix(vec3(130.0, 72.0, 34.0), vec3(15.0, 28.0, 62.0), smoothstep(0.2, 0.8, up));
+    return up < 0.27 ? vec3(2.0, 3.0, 2.8) : sky;
+}
+
+vec3 luminance(Surface s) { // of each channel, white having the same in all
+    float candela = luminous_intensity_isotropic(luminous_flux);
+    if (s.id == 4) return vec3(1.0, 0.86, 0.66) * candela / (PI * GLOBE * GLOBE);
+    vec3 n = vec3(0.0, s.id == 1 ? -1.0 : 0.0, s.id == 1 ? 0.0 : 1.0);
+    if (s.id == 3) n = ball_normal((s.position - BALL) / 0.2, s.v);
+    vec3 matt = s.id == 0 ? vec3(0.42, 0.26, 0.15) : s.id == 1 ? vec3(0.42, 0.44, 0.40) : vec3(0.62, 0.09, 0.06);
+    if (s.id == 1) {
+        vec2 at = (s.position.xz - vec2(0.35, 0.75)) / vec2(0.85, 0.95), pane = abs(at - 0.5);
+        if (min(pane.x, pane.y) > 0.015 && max(pane.x, pane.y) < 0.475) return evening(at.y);
+        if (max(pane.x, pane.y) < 0.5) matt = vec3(0.7);
+    }
+    if (s.id == 2) matt = vec3(s.st.x < 0.333 ? 0.18 : s.st.x > 0.667 ? 0.04 : rho);
+    vec3 to_lamp = lamp() - s.position;
+    float r2 = dot(to_lamp, to_lamp), lux = candela * max(dot(n, to_lamp), 0.0) / (r2 * sqrt(r2));
+    return matt * (lux / PI);
+}
+
+vec3 shade(Surface s) {
+    vec3 x = luminance(s) / luminance_white(ev100);
+    return vec3(tone_curve(x.r, curve), tone_curve(x.g, curve), tone_curve(x.b, curve));
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return lamp() + vec3(0.0, 0.0, GLOBE + (1.8 - distance) * t);
+    vec3 card = UNDER + vec3(0.0, 0.0, 0.01);
+    if (mark == 1) return mix(card, lamp(), 0.93 * t);
+    return card + 0.62 * t * vec3(0.55, -0.52, 0.65);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(lamp(), 1.0);
+    if (i == 1) return vec4(lamp() + vec3(-0.3, 0.0, 0.02), 1.0);
+    if (i == 2) return vec4(UNDER + vec3(-0.2, 0.0, 0.55 * distance), 1.0);
+    if (i == 3) return vec4(UNDER + vec3(-0.72, -0.1, 0.02), 1.0);
+    return vec4(UNDER + vec3(0.4, -0.33, 0.42), 1.0);
+}
+""",
+        surfaces=(Surface("desk", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("card", cells=(1, 1)),
+                  Surface("ball", cells=(40, 2)), Surface("lamp", cells=(24, 2))),
+        marks=(Mark("cable", colour="quiet"), Mark("light", colour="l", line="dashed", tip="sun"),
+               Mark("to the camera", colour="v", tip="eye")),
+        labels=(Label("lm", 1, "l"), Label("cd", 2, "l"), Label("lx", 3), Label("cd/m²", 4, "v")),
+        handles=(Handle("the lamp", 0, ("distance",)),),
+        camera=Camera(azimuth=-90, elevation=19, distance=6.2, target=(0.0, 0.0, 0.77), field_of_view=20),
+    ),
+    plot=(
+        Ledger(
+            title="White card and grey card",
+            columns=tuple((
+                LedgerRow("lamp", Term("lamp_flux", {"globe": 0}), "lm"),
+                LedgerRow("intensity", Term("luminous_intensity_isotropic"), "cd", "1/sr"),
+                LedgerRow("illuminance", Term("illuminance_isotropic", {"theta": 0.0}), "lx", "sr/m^2"),
+                LedgerRow(name, Term("card_luminance", {"rho": share}), "cd/m^2", "1/sr", "BRDF"),
+                LedgerRow("on the sensor", Term("card_exposed", {"rho": share}), "", "m^2/cd", "exposure"),
+                LedgerRow("of the screen's white", Term("card_toned", {"rho": share}), "", "", "tone curve"),
+                LedgerRow("stored", Term("card_stored", {"rho": share}), "", "", "sRGB, 8 bits"),
+            ) for name, share in (("white card", "rho"), ("grey card", 0.18))),
+        ),
+        Curves(
+            title="The white card's number against the lamp", sweep="luminous_flux",
+            curves=(Curve("cut at 1", Term("card_stored", {"curve": 0})),
+                    Curve("Reinhard", Term("card_stored", {"curve": 1}), role="estimate"),
+                    Curve("ACES fit", Term("card_stored", {"curve": 2}), role="printed")),
+            y_label="stored, of 255",
+        ),
+    ),
+    readouts=(
+        Readout("white card", Term("card_luminance"), unit="cd/m²"),
+        Readout("fills the sensor", Term("luminance_white"), unit="cd/m²"),
+        Readout("white card, stored", Term("card_stored"), unit="of 255"),
+        Readout("grey card, stored", Term("card_stored", {"rho": 0.18}), unit="of 255"),
+    ),
+    ask=Prediction(
+        question="A lamp of 800 lm just fills the sensor with the white card: the file says 255. You take one of 400 lm, and "
+                 "no tone curve. What does the file say?",
+        truth=Term("card_stored", HALVED | {"rho": 0.8}),
+        unit="of 255", low=0.0, high=255.0,
+        sets=HALVED,
+        told="188. Half the light is three quarters of the number: sRGB stores nearly the square root of the light.",
+    ),
+    notes="""
+Walk the ledger with a pointer, one cell at a time, and ask at each arrow who decides: the lamp's maker, geometry, the
+material, the photographer, taste, a standard. The common fault in programs is one factor too few: 4π forgotten (lumens as
+candela), π forgotten (lux as cd/m²), or textures and pixels multiplied as they are stored. Common wrong answer: 128. Then
+set EV 4 and go through the three curves: the window, the lamp, the card. A tone curve is no physics; it may not touch
+the numbers before it. EV of a lit room at night: 4 to 7; of sunlight: 15. 7 minutes.
+""",
+    sources=("Deck, slide Working with Shading Models", "ISO 12232:2006 and ISO 2720:1974: 78, 0.65 and 12.5",
+             "Lagarde & de Rousiers 2014: 1.2 · 2^EV", "Reinhard et al. 2002", "Narkowicz 2015: the fit to ACES", "IEC 61966-2-1"),
+    honesty="The lamp's light on matt things is exact; no shadows, no light from the walls or the window. The evening's "
+            "luminances are set, and colours are three numbers of one luminance. Tone curves act on each channel.",
+    values=(Value("luminous_flux", 800.0, low=50.0, high=10000.0), Value("distance", 0.8, low=0.35, high=1.5, scale="linear"),
+            Value("ev100", 5.0, low=0.0, high=10.0), Value("curve", 2, choices=CURVES), Value("rho", 0.8, more=True)), minutes=7,
+)
+
+MEASURING = Step(
+    name="measuring",
+    title="Three lamps, and what I/r² is",
+    idea="Of a lamp one knows the flux; its intensity over r² is the irradiance it gives, and irradiances add up.",
+    slides=(PLAUSIBLE("Measuring Light"),),
+    prose=r"""
+Lamps are sold in lumens. Small ones send them out evenly, so
+
+$$I = \frac{\Phi}{4\pi}, \qquad E = \sum_k \frac{I_k}{r_k^2}\;(\colour{n}{n}\cdot\colour{l}{l_k})$$
+
+Each $\colour{l}{\text{arrow}}$ at the meter is one term of the sum. Push the meter under [the low lamp](?from_wall=2&along_wall=0.7):
+250 lm win against 600.
+
+The slides write $L_i \approx I/r^2$. But that is an **irradiance**, in lux. The radiance of a globe is
+$I/(\pi r_0^2)$, in cd/m², *the same from any distance*. Feed the mirror ball [I/r² as L](?taken=1), and its lamps go
+out.
+
+For matt floors both ways agree: luminance times projected solid angle is $I\cos/r^2$, for a globe exactly.
+[Large](?source_radius=0.2), [small](?source_radius=0.03): the floor does not change, the mirror does.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/three_lamps.glsl"
+#include "display/balls.glsl"
+#include "display/palette.glsl"
+uniform float luminous_flux;
+uniform float from_wall;
+uniform float along_wall;
+uniform float source_radius;
+uniform int taken;
+
+const float MIRROR = 0.34;
+
+vec3 meter() { return vec3(from_wall, along_wall, 0.0); }
+vec3 mirror() { return meter() + vec3(0.0, 0.0, MIRROR + 0.02); }
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return vec3(2.5 * s.x, 2.4 * s.y - 1.2, 0.0);
+    if (surface == 1) return cap_to_eye(s, mirror(), MIRROR);
+    return cap_to_eye(s, LAMPS[surface - 2], source_radius);
+}
+
+float twofold(vec2 at) { return log2(max(lamps_illuminance(luminous_flux, at.x, at.y), 1.0)); } // 8: 256 lx
+
+vec3 glow(float luminance) { return vec3(1.0, 0.87, 0.66) * (1.25 * luminance / (luminance + 500.0)); }
+
+vec3 shade(Surface s) {
+    if (s.id == 0) {
+        float lux = twofold(s.position.xy), line = abs(fract(lux - 0.5) - 0.5) / max(fwidth(lux), 1e-5);
+        return colormap(lux / 8.0) * mix(0.35, 1.0, smoothstep(0.4, 1.4, line));
+    }
+    if (s.id > 1) {
+        float facing = dot(ball_normal((s.position - LAMPS[s.id - 2]) / source_radius, s.v), s.v);
+        return facing < 0.3 ? palette[COLOUR_L] : glow(lamp_luminance(s.id - 2, luminous_flux, source_radius));
+    }
+    vec3 n = ball_normal((s.position - mirror()) / MIRROR, s.v), from = mirror() + MIRROR * n, d = reflect(-s.v, n);
+    vec3 colour = vec3(0.06, 0.07, 0.09) * (1.0 + d.z);
+    vec2 at = from.xy - d.xy * from.z / min(d.z, -1e-3);
+    if (d.z < -1e-3 && at.x > 0.0 && at.x < 2.5 && abs(at.y) < 1.2) colour = colormap(twofold(at) / 8.0) * 0.8;
+    for (int k = 0; k < 3; k++) {
+        vec3 way = LAMPS[k] - from;
+        float along = dot(way, d), off = length(way - along * d);
+        float luminance = taken == 0 ? lamp_luminance(k, luminous_flux, source_radius)
+                                     : lamp_inverse_square(k, luminous_flux, from_wall, along_wall);
+        if (along > 0.0 && off < source_radius) colour = glow(luminance);
+    }
+    return colour;
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark < 3) { // as long as its part of the lux
+        vec3 l = normalize(LAMPS[mark] - mirror());
+        float part = lamp_illuminance(mark, luminous_flux, from_wall, along_wall);
+        return mirror() + (MIRROR + 0.02 + t * (0.1 + part / (part + 60.0))) * l;
+    }
+    if (mark < 6) return mix(mirror(), LAMPS[mark - 3], t);
+    if (mark == 6) return meter() + vec3(0.46 * cos(2.0 * PI * t), 0.46 * sin(2.0 * PI * t), 0.006);
+    return LAMPS[mark - 7] * vec3(1.0, 1.0, t);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(meter(), 1.0);
+    if (i == 1) return vec4(LAMPS[0] + vec3(0.0, 0.0, source_radius), 1.0);
+    return vec4(LAMPS[i - 2] + vec3(0.08, 0.0, source_radius + 0.1), 1.0);
+}
+""",
+        surfaces=(Surface("floor", cells=(1, 1)), Surface("mirror ball", cells=(40, 2)), *(Surface(f"lamp {k}", cells=(30, 2)) for k in range(3))),
+        marks=(*(Mark(f"part {k}", colour="l", tip="arrow", width=1.6) for k in range(3)),
+               *(Mark(f"way {k}", colour="l", line="dotted", width=0.7) for k in range(3)),
+               Mark("meter", colour="exact", segments=48),
+               *(Mark(f"height {k}", colour="quiet", line="dashed", width=0.7) for k in range(3))),
+        labels=(Label("Φ", 2, "l"), Label("600 lm", 3, "l"), Label("250 lm", 4, "l")),
+        handles=(Handle("the meter", 0, ("from_wall", "along_wall")),),
+        legend=(("l", "a lamp's part of the lux"),),
+        camera=Camera(azimuth=-62, elevation=27, distance=7.4, target=(1.22, -0.05, 0.55), field_of_view=24.5),
+    ),
+    plot=(
+        Curves(
+            title="Illuminance of the floor, out from the wall", sweep="from_wall",
+            curves=(Curve("all three", Term("lamps_illuminance")),
+                    Curve("by luminance and solid angle", Term("lamps_illuminance_by_area"), role="estimate"),
+                    Curve("the first alone", Term("lamp_illuminance", {"globe": 0}), role="printed")),
+            y_label="lx",
+        ),
+        Ledger(
+            title="The first lamp, seen from the meter",
+            columns=((
+                LedgerRow("flux", Term("lamp_flux", {"globe": 0}), "lm"),
+                LedgerRow("intensity", Term("lamp_intensity", {"globe": 0}), "cd", "1/sr", "even to all sides"),
+                LedgerRow("I/r², facing the lamp", Term("lamp_inverse_square", {"globe": 0}), "lx", "sr/m^2"),
+                LedgerRow("on the floor", Term("lamp_illuminance", {"globe": 0}), "lx", "", "cosine"),
+            ), (
+                LedgerRow("flux", Term("lamp_flux", {"globe": 0}), "lm"),
+                LedgerRow("intensity", Term("lamp_intensity", {"globe": 0}), "cd", "1/sr", "even to all sides"),
+                LedgerRow("luminance of the globe", Term("lamp_luminance", {"globe": 0}), "cd/m^2", "1/m^2", "its disk"),
+                LedgerRow("on the floor", Term("lamp_illuminance", {"globe": 0}), "lx", "sr", "projected angle"),
+            )),
+        ),
+    ),
+    readouts=(
+        Readout("E, from intensities", Term("lamps_illuminance"), role="exact", unit="lx"),
+        Readout("E, from luminances", Term("lamps_illuminance_by_area"), role="estimate", unit="lx", against="E, from intensities"),
+        Readout("first lamp, luminance", Term("lamp_luminance", {"globe": 0}), unit="cd/m²"),
+        Readout("first lamp, I/r²", Term("lamp_inverse_square", {"globe": 0}), role="printed", unit="lx"),
+    ),
+    ask=Prediction(
+        question="A globe lamp of radius 10 cm hangs 1 m away. A program takes I/r² for its radiance L. How many times "
+                 "larger is the true one?",
+        truth=Term("luminance_over_inverse_square", {"source_radius": 0.1, "distance": 1.0}),
+        unit="times", low=1.0, high=10000.0, scale="log",
+        sets={"source_radius": 0.1, "taken": 1},
+        told="31.8 times: one over the solid angle of its disk, 0.0314 sr. A smaller lamp makes it worse, without end.",
+    ),
+    notes="""
+Ask for the unit of I/r² before anything else: cd/m² is the tempting answer, as m² stands below; but the r² is no
+lamp's area, it carries sr: cd · sr/m² = lx. Move the meter and let the class name the lamp with the longest arrow; nearness
+beats lumens. Then the mirror ball: a mirror shows radiance, so here the slip can be seen. Why do renderers get away with
+it? For a point lamp there is no L, and f n.l I/r² is right: only the name is wrong. The distance from which a lamp counts
+as a point was chapter 2; a globe is one at any distance. 6 minutes.
+""",
+    sources=("Deck, slide Plausible Shading - Measuring Light", "optics reference, D5 and 2.3", "Lambert 1760"),
+    honesty="Exact for globes that shine evenly; no shadows, nothing comes back from floor or wall. The floor shows lux by "
+            "powers of two. Lamps are shown as L / (L + 500 cd/m²); what else is in the mirror is a look.",
+    values=(Value("luminous_flux", 800.0, low=50.0, high=3000.0), Value("source_radius", 0.1, low=0.03, high=0.2),
+            Value("taken", 0, choices=("L, as it is", "I/r² as L")), Value("from_wall", 1.25), Value("along_wall", -0.45, more=True)), minutes=6,
+)
+
 ENERGY = Step(
     name="energy",
     title="Body and mirror must share the light",
@@ -35,7 +467,7 @@ ENERGY = Step(
     slides=(PLAUSIBLE("BRDFs"),),
     prose=r"""
 Paint, skin, plastic, wood: a matt **body** under a clear **coat**. The coat mirrors the share $\colour{f}{F}$; only the
-rest goes in. White paint in a white furnace gives back all it gets, so each upper ball ought to vanish. Stripes: it
+rest goes in. White paint in a white furnace gives back all it gets: each ball's left half ought to vanish. Stripes: it
 $\colour{printed}{\text{makes light}}$.
 
 Adding body and mirror is the old way. One factor, $1-\colour{f}{F}(l\cdot h)$ or $1-\colour{f}{F}(n\cdot l)$, is **not
@@ -57,30 +489,27 @@ uniform float theta_v;
 uniform float rho;
 uniform float f0;
 
-const float SIZE = 1.12;
+const float SIZE = 1.5;
 
-vec3 centre(int i) { // 0 .. 3 in the furnace, 4 .. 7 in a room
-    return vec3(2.5 * (float(i % 4) - 1.5), 0.0, i < 4 ? 1.55 : -1.6);
+vec3 centre(int i) { return vec3(i % 2 == 0 ? -2.05 : 2.05, 0.0, i < 2 ? 1.95 : -1.95); }
+
+vec3 surface_point(int surface, vec2 s) { // a ball's left half hangs before the furnace's wall, its right half in a room
+    if (surface > 0) return vec3((surface == 1 ? -2.05 : 2.05) - 1.85 * s.x, 1.8, 7.8 * (s.y - 0.5));
+    return ball_point(s, 4, centre(ball_number(s, 4)), SIZE);
 }
 
-vec3 surface_point(int surface, vec2 s) {
-    if (surface == 2) return vec3(10.6 * s.x - 5.3, 1.6, 3.3 * s.y - 0.1);
-    return ball_point(s, 4, centre(ball_number(s, 4) + 4 * surface), SIZE);
-}
-
-vec4 surface_value(int surface, vec2 s) { // the body's share by 1 - F(l.h), an integral
-    if (surface == 2 || ball_number(s, 4) != 1) return vec4(0.0);
-    return vec4(albedo_body(0.5 * PI * min(s.y, 1.0), rho, f0, 1));
-}
+float halfway_lost(float c) { return 0.028005 - c * (0.07682 - c * (0.073584 - c * 0.02474)); } // 1 - albedo_body(1, 0, 1), fit
 
 vec3 shade(Surface s) {
     vec3 heat = vec3(0.50, 0.47, 0.43);
-    if (s.id == 2) return heat;
+    if (s.id > 0) return heat;
     int i = ball_number(s.st, 4);
-    vec3 n = ball_normal((s.position - centre(i + 4 * s.id)) / SIZE, s.v);
+    vec3 n = ball_normal((s.position - centre(i)) / SIZE, s.v);
     float n_dot_v = clamp(dot(n, s.v), 0.0, 1.0), mirror = f_schlick(n_dot_v, f0);
-    float body = i == 1 ? s.value.x : i == 3 ? rho * passed_share(n_dot_v, f0) : rho * (i == 0 ? 1.0 : 1.0 - f_average_schlick(f0));
-    if (s.id == 1) return body * soft_light(vec3(0.80, 0.10, 0.06), n, s.v) + mirror * studio(reflect(-s.v, n));
+    float body = i == 1 ? rho * (1.0 - f0) * (1.0 - halfway_lost(n_dot_v)) : i == 3 ? rho * passed_share(n_dot_v, f0)
+                                              : rho * (i == 0 ? 1.0 : 1.0 - f_average_schlick(f0));
+    if (s.position.x > centre(i).x)
+        return body * soft_light(vec3(0.80, 0.10, 0.06), n, s.v) + mirror * studio(reflect(-s.v, n));
     bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 4.0;
     return body + mirror > 1.002 && stripe ? palette[COLOUR_PRINTED] : heat * (body + mirror);
 }
@@ -90,29 +519,23 @@ vec3 ring(int i, float size, float turn) {
     return centre(i) + size * (cos(turn) * side + sin(turn) * cross(side, v)) + 0.6 * v;
 }
 
-vec3 mark_point(int mark, float t) {
-    if (mark < 4) return ring(mark, SIZE * sin(theta_v), 2.0 * PI * t);
-    return ring(mark - 4, SIZE, 2.0 * PI * t);
-}
+vec3 mark_point(int mark, float t) { return ring(mark % 4, mark < 4 ? SIZE * sin(theta_v) : SIZE, 2.0 * PI * t); }
 
 vec4 probe(int i) {
     if (i == 0) return vec4(ring(0, SIZE * sin(theta_v), 0.7), 1.0);
-    if (i < 5) return vec4(centre(i + 3) + vec3(0.0, 0.0, 1.33), 1.0);
-    return vec4(i == 5 ? -4.4 : -4.6, 1.5, i == 5 ? 3.0 : -3.1, 1.0);
+    return vec4(centre(i - 1) + vec3(1.0, 0.0, 1.72), 1.0);
 }
 """,
-        surfaces=(Surface("in the furnace", cells=(131, 16)), Surface("in a room", cells=(131, 16)),
-                  Surface("furnace", cells=(1, 1))),
+        surfaces=(Surface("balls", cells=(131, 5)), Surface("furnace, left", cells=(1, 1)), Surface("furnace, right", cells=(1, 1))),
         marks=(*(Mark(f"angle {i}", colour="v", segments=64, width=1.2) for i in range(4)),
                *(Mark(f"outline {i}", colour="quiet", line="dotted", segments=64) for i in range(4))),
         labels=tuple(Label(words, i + 1, "exact" if i == 3 else "printed") for i, words in enumerate(COUPLINGS)),
         handles=(Handle("the rings", 0, ("theta_v",)),),
-        legend=(("v", "seen at the angle θ"), ("printed", "more than it gets")),
-        camera=Camera(azimuth=-90, elevation=0, distance=60, target=(0.0, 0.0, 0.1), field_of_view=6.6),
+        legend=(("printed", "more than it gets"),),
+        camera=Camera(azimuth=-90, elevation=0, distance=60, target=(0.0, 0.0, 0.1), field_of_view=8.2),
     ),
     plot=Curves(
-        title="Body and mirror: share of the light sent back",
-        sweep="theta_v",
+        title="Body and mirror: share of the light sent back", sweep="theta_v",
         curves=(Curve("in and out", Term("albedo_coated", {"coupling": 3})),
                 Curve("1 − F(n·l)", Term("albedo_coated", {"coupling": 2}), role="estimate"),
                 Curve("1 − F(l·h)", Term("albedo_coated", {"coupling": 1}), role="estimate", colour="#CC79A7"),
@@ -131,26 +554,287 @@ vec4 probe(int i) {
         question="White paint under a coat with F₀ = 0.04, seen at 85° in even light. A program takes 1 − F(n·l) for the "
                  "body. How many times the light that came in goes out?",
         truth=Term("albedo_coated", {"theta_v": 85 * PI / 180, "rho": 1.0, "f0": 0.04, "coupling": 2}),
-        unit="times",
-        low=0.0,
-        high=2.0,
+        unit="times", low=0.0, high=2.0,
         sets={"theta_v": 85.0, "rho": 1.0, "f0": 0.04},
         told="1.563 times. Without any factor it is 1.648, with 1 − F(l·h) 1.588: one factor hardly helps. In and out: 1.000.",
     ),
     notes="""
-Point at the lower row first: which red ball is wrong? The class will not agree; that is why the furnace is there. Then the
-upper row: three rims glow. Ask where the light comes from. At 85° the coat mirrors 0.65, so at most 0.35 may come out of the
+Cover the left halves first: which red ball is wrong? The class will not agree; that is why the furnace is there. Then
+the left halves: three rims glow. Ask where the light comes from. At 85° the coat mirrors 0.65, so at most 0.35 may come out of the
 body; the factors in use leave it 0.91 and more, for they look at the light's angle, and light comes from everywhere. Why
 divide by 1 - F_avg? Light thrown back by the coat from within meets the white body again and gets another chance. Set F₀
 to 0.9 with ρ = 1: a metal with a body, 1.9 times the light. Metals swallow what enters, so ρ = 0. 6 minutes.
 """,
-    sources=("Deck, slide Plausible Shading - BRDFs", "Shirley et al. 1997", "Kelemen & Szirmay-Kalos 2001",
-             "optics reference, D13"),
+    sources=("Deck, slide Plausible Shading - BRDFs", "Shirley et al. 1997", "Kelemen & Szirmay-Kalos 2001", "optics reference, D13"),
     honesty="Shares are exact for a smooth coat with Schlick's F. Under a rough one, up to 1.003 comes back at 60°, and "
-            "less at grazing. ρ counts all bounces under the coat together. The badges judge m = 0.02. The room is a look.",
+            "less at grazing; the second ball is a fit to 2e-4. ρ counts all bounces under the coat together. The badges judge m = 0.02. The room is a look.",
     values=(Value("theta_v", 75.0, low=0.0, high=88.0), Value("rho", 1.0, low=0.0, high=1.0),
-            Value("f0", 0.04, low=0.0, high=0.9)),
-    minutes=6,
+            Value("f0", 0.04, low=0.0, high=0.9)), minutes=6,
+)
+
+BOARD = Step(
+    name="board",
+    title="The board: everything on",
+    idea="Under a far light the colour of a place is D, G, F and a denominator of its normal alone, and what the body adds.",
+    slides=("Cook – Torrance – Distribution Term (1)", "Cook – Torrance – Fresnel Term (1)",
+            "Cook – Torrance – Geometric Term (1)"),
+    prose=r"""
+All that the course has built, on one object. The ball holds every normal, so it is the object's dictionary: light and eye
+are far away, and what has the $\colour{n}{\text{normal}}$ of the picked point **has its colour**. The rings say where.
+
+$$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)} + f_d$$
+
+Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
+[n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
+
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
+only for $l\cdot h$. $D$ alone draws the highlight. Move the $\colour{l}{\text{light}}$ or the picked point: a
+[low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
+drop a mesh of your own on the window.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/coat.glsl"
+#include "optics/vgroove.glsl"
+#include "stage/corner_normal.glsl"
+#include "display/balls.glsl"
+#include "display/facing.glsl"
+#include "display/scale.glsl"
+uniform float theta_l, theta_v, phi, m, f0, rho;
+uniform int shows;
+
+const float SIZE = 0.92, APART = 1.04;
+
+vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
+
+vec3 lamp() {
+    vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
+    return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
+}
+
+vec3 ball() { return -APART * aside() - 0.22 * up(); }
+
+vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, ball(), SIZE); }
+
+vec3 mesh_point(int surface, vec3 p) { return SIZE * p + APART * aside() - 0.22 * up(); }
+
+vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
+
+vec3 factor(vec3 n, vec3 l, vec3 v) {
+    float n_dot_l = dot(n, l), n_dot_v = dot(n, v);
+    vec3 s = l + v, h = s / max(length(s), 1e-6), paint = rho * vec3(1.0, 0.30, 0.16);
+    if (shows >= 6) {
+        vec3 w = shows == 6 ? n : h;
+        return pow(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), vec3(2.2));
+    }
+    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint) : 0.35 * background;
+    if (shows == 2) return mix(0.15 * background, palette[COLOUR_G], g_vgroove(dot(n, h), n_dot_v, n_dot_l, dot(l, h)));
+    if (shows == 3) return mix(0.15 * background, palette[COLOUR_F], sqrt(f_schlick(dot(l, h), f0)));
+    float value = shows == 1 ? d_beckmann(n, s, m) : brdf_cook_torrance(n, l, v, m, f0);
+    if (shows == 1 || shows == 4) return decades(value, -3.0, 2.0);
+    vec3 body = paint * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
+    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint));
+}
+
+vec3 shade(Surface s) {
+    vec3 v = eye(), l = lamp(), n;
+    if (s.id == 0) n = ball_normal((s.position - ball()) / SIZE, s.v);
+    else n = normalize(s.value.xyz) * (dot(s.value.xyz, s.normal) < 0.0 ? -1.0 : 1.0);
+    vec3 colour = factor(n, l, v);
+    float off = distance(n, picked()), ring = s.id == 1 ? abs(off - 0.13) : 1.0;
+    return mix(palette[COLOUR_N], colour, smoothstep(0.022, 0.035, ring));
+}
+
+vec3 mark_point(int mark, float t) {
+    vec3 foot = ball() + SIZE * picked(), l = lamp(), v = eye(), h = normalize(l + v + 1e-6 * picked());
+    if (mark == 0) return foot + 0.62 * t * picked();
+    if (mark == 1) return foot + 0.95 * t * l;
+    if (mark == 2) return foot + 0.75 * t * v;
+    return foot + 0.8 * t * h;
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(ball() + SIZE * picked() + 0.8 * eye(), 1.0);
+    return vec4(ball() + SIZE * picked() + 0.95 * lamp(), 1.0);
+}
+""",
+        surfaces=(Surface("ball", cells=(60, 6)), Surface("object", mesh=True)),
+        marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
+               Mark("to the eye", colour="v", tip="eye", label="v"),
+               Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
+        handles=(Handle("the picked point", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        legend=(("n", "the same normal"),),
+        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=4.9),
+        meshes=("knot", "bowl", "sphere", "cube"),
+    ),
+    plot=(
+        Ledger("Factor by factor, at the point", ((
+            LedgerRow("D(h)", Term("d_halfway"), "1/sr"),
+            LedgerRow("D G", Term("dg_at"), "1/sr", "", "G: lit and seen"),
+            LedgerRow("D G F", Term("dgf_at"), "1/sr", "", "F: mirrored"),
+            LedgerRow("mirror part", Term("brdf_cook_torrance"), "1/sr", "", "1 / 4 (n·l)(n·v)"),
+        ),)),
+        Lobes(title="The lobe at the point"),
+    ),
+    models=(Model("mirror and body", Term("brdf_coated", {"coupling": 3})),),
+    readouts=(
+        Readout("D", Term("d_halfway"), unit="1/sr"), Readout("G", Term("vgroove_at"), unit=""),
+        Readout("F", Term("schlick_at"), unit=""), Readout("f, all together", Term("brdf_coated", {"coupling": 3}), unit="1/sr"),
+    ),
+    ask=Prediction(
+        question="Plastic, F₀ = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
+                 "sides. How many times larger is D G F / 4 (n·l)(n·v) now?",
+        truth=Term("mirror_gain", {"theta": PI / 3, "f0": 0.04}),
+        unit="times", low=1.0, high=20.0, scale="log",
+        sets={"theta_l": 60.0, "theta_v": 60.0, "phi": 180.0, "f0": 0.04},
+        told="7.0 times. D and G have not changed; F gives 1.75, and the denominator 1 / cos² 60° = 4.",
+    ),
+    notes="""
+Let the class name a factor before you show it: who draws the highlight, who the rim, who nothing at all? Show F and wait:
+it is flat. Someone will say it is broken; ask where h points at the left of the ball, and at the right. A lamp near by, or an
+eye near by, would tilt it. G is 1 nearly everywhere. Then pick a point at the rim and read the ledger from top to bottom. Common wrong answer to the question: about two, from F alone. The denominator is geometry: seen at a slant the same
+facets crowd into less projected area. Then change the shape: the rings wander, the numbers stay. 8 minutes.
+""",
+    sources=("Deck, slides Distribution Term (1), Fresnel Term (1), Geometric Term (1)", "Cook & Torrance 1982",
+             "Shirley et al. 1997; Kelemen & Szirmay-Kalos 2001: the body", "Schlick 1994"),
+    honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far, and the light goes "
+            "with the point. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
+    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "D G F / 4 (n·l)(n·v)", "body", "n", "h")),
+            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube")),
+            Value("m", 0.25, low=0.05, high=1.0), Value("f0", 0.04, low=0.02, high=0.95),
+            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 44.0, low=0.0, high=85.0, more=True),
+            Value("phi", 115.0, more=True), Value("rho", 0.6, more=True)),
+    minutes=8,
+)
+
+SCALE = Step(
+    name="scale",
+    title="A bumpy mirror, seen from afar",
+    idea="Bumps too small for a pixel turn into roughness: the mean squares of their slopes add to m squared.",
+    slides=(PLAUSIBLE("The Scale Effect"),),
+    prose=r"""
+A mirror ball, hammered all over, its lamp beside your eye. [Near by](?bumps=5) each bump shows a highlight of its own. Drag
+the knob on the bar: [farther](?bumps=60), [far away](?bumps=1500). The bumps pass the size of a pixel, and no normal of one place
+can stand for a pixel any more.
+
+On the left one bump speaks for all: the picture **sparkles**, and crawls when anything moves. Below, the pixel asks
+$N$ places: better, never calm. On the right what it cannot show is moved into the roughness:
+
+$$m_\text{eff}^2 = m^2 + 2\sigma^2$$
+
+$m$ counts both axes, the bumps' slope $\sigma$ one, hence the 2. Facets, bumps, roughness: the same slopes at **three scales**.
+At the highlight's [middle](?theta_h=0) this one evaluation misses 2 %; random places need 12 000 for that.
+""",
+    scene=Scene(
+        glsl="""
+#include "display/balls.glsl"
+#include "display/bumps.glsl"
+#include "display/facing.glsl"
+uniform float m, bump_slope, bumps, theta_h;
+uniform int samples;
+
+vec3 surface_point(int surface, vec2 s) {
+    float a = s.y * acos(1.0 / length(camera_position)), turn = 2.0 * PI / 3.0 * (float(surface) + s.x);
+    return cos(a) * eye() + sin(a) * around(turn);
+}
+
+// What is mirrored: the lamp, and an evening with a horizon as blurred as the roughness makes it
+vec3 seen(vec3 bump, float roughness, vec3 v) {
+    float height = 2.0 * dot(bump, v) * bump.z / dot(bump, bump) - v.z, wide = 2.0 * roughness;
+    vec3 room = mix(vec3(0.045, 0.034, 0.028), vec3(0.11, 0.19, 0.36) - 0.06 * height, smoothstep(-wide, wide, height));
+    return room + vec3(0.19, 0.155, 0.10) * d_beckmann(bump, v, roughness);
+}
+
+vec3 shade(Surface s) {
+    vec3 n = ball_normal(s.position, s.v), across = dFdx(n), down = dFdy(n), light = vec3(0.0), v = eye();
+    if (s.id == 0) {
+        vec4 bump = bumpy(n, n, across, down, bumps, bump_slope, true);
+        light = seen(bump.xyz, sqrt(m * m + bump.w), v);
+    } else if (s.id == 2) {
+        light = seen(bumpy(n, n, across, down, bumps, bump_slope, false).xyz, m, v);
+    } else {
+        vec2 at = fract(gl_FragCoord.xy * vec2(0.754878, 0.569840) + 0.5 * gl_FragCoord.yx * vec2(0.618034, 0.324718));
+        for (int i = 0; i < samples; i++) {
+            vec2 off = fract(at + float(i) * vec2(0.7548777, 0.5698403)) - 0.5;
+            light += seen(bumpy(n, n + off.x * across + off.y * down, across, down, bumps, bump_slope, false).xyz, m, v);
+        }
+        light /= float(samples);
+    }
+    return 1.0 - exp(-light);
+}
+
+float reached() { return log(bumps / 3.0) / log(500.0); }
+
+vec3 knob() { return 0.12 * eye() - 1.3 * up() + (2.0 * reached() - 1.0) * 0.8 * aside(); }
+
+vec3 mark_point(int mark, float t) {
+    if (mark < 3) return 1.02 * t * around(2.0 * PI / 3.0 * float(mark)) + 1.02 * eye();
+    if (mark == 3) return sin(theta_h) * around(2.0 * PI * t) + 1.02 * eye();
+    if (mark == 4) return 0.12 * eye() - 1.3 * up() + (2.0 * t - 1.0) * 0.8 * aside();
+    return knob();
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(knob(), 1.0);
+    if (i == 1) return vec4(sin(theta_h) * around(2.6) + 1.02 * eye(), 1.0);
+    if (i < 4) return vec4(-1.3 * up() + (i == 2 ? -1.0 : 0.95) * aside(), 1.0);
+    return vec4(i == 4 ? 1.0 * aside() + 0.72 * up() : i == 5 ? -1.12 * up() : -1.0 * aside() + 0.72 * up(), 1.0);
+}
+""",
+        surfaces=(Surface("filtered", cells=(24, 6)), Surface("N places", cells=(24, 6)), Surface("one place", cells=(24, 6))),
+        marks=(*(Mark(f"border {i}", colour="quiet") for i in range(3)),
+               Mark("ring", colour="h", line="dashed", segments=48, width=1.5),
+               Mark("near to far", colour="quiet", width=1.5), Mark("how far", colour="v", tip="dot", width=2.0)),
+        labels=(Label("near", 2), Label("far", 3), Label("filtered", 4, "estimate"), Label("N places", 5), Label("one place", 6, "printed")),
+        handles=(Handle("the distance", 0, ("bumps",)), Handle("the ring", 1, ("theta_h",))),
+        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.14), field_of_view=4.0),
+    ),
+    plot=(
+        Curves(
+            title="The roughness a pixel must use", sweep="bumps", y_label="roughness m",
+            curves=(Curve("what it hides, added", Term("m_pixel"), role="estimate"),
+                    Curve("the facets alone", Term("m_effective", {"bump_slope": 0.0}), role="printed")),
+        ),
+        Curves(
+            title="The highlight from afar", sweep="theta_h", y_label="D, per steradian",
+            curves=(Curve("counted, 2000 bumps", Term("d_bumps_counted", {"facets": 2000})),
+                    Curve("m_eff", Term("d_filtered"), role="estimate"), Curve("Toksvig", Term("d_toksvig"), role="printed")),
+        ),
+        Curves(
+            title="Error at the highlight's middle", sweep="samples", y_label="relative error", y_scale="log",
+            curves=(Curve("N random places, RMS", Term("sampling_error")),
+                    Curve("m_eff, one evaluation", Term("filter_error"), role="estimate")),
+        ),
+    ),
+    readouts=(
+        Readout("D at the ring, counted", Term("d_bumps_counted", {"facets": 10000}), role="exact", unit="1/sr"),
+        Readout("with m_eff", Term("d_filtered"), role="estimate", unit="1/sr", against="D at the ring, counted"),
+        Readout("by Toksvig's rule", Term("d_toksvig"), role="estimate", unit="1/sr", against="D at the ring, counted"),
+        Readout("bumps forgotten", Term("d_unfiltered"), role="printed", unit="1/sr", against="D at the ring, counted"),
+    ),
+    ask=Prediction(
+        question="A bumpy mirror seen from afar: is it a mirror? Polished to m = 0.1, with bumps of slope 0.2, it will look as if it "
+                 "had which m?",
+        truth=Term("m_effective", {"m": 0.1, "bump_slope": 0.2}),
+        unit="m", low=0.0, high=1.0,
+        sets={"m": 0.1, "bump_slope": 0.2, "bumps": 1500.0},
+        told="0.30: no mirror at all. Its polish, 0.01 of 0.09 in m², hardly counts any more.",
+    ),
+    notes="""
+Pull the knob slowly to the right and stop where the three parts begin to differ, at about 100 bumps. Move the camera a
+little: the left part crawls, the right one rests. Ask which of the three is right, and how one would know: by counting, the
+first number. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
+3.54. Common wrong answer: it stays a mirror, each bump is one. Each is; the pixel is not. The deck's sentence
+"introduce macro-scale irregularities into the BRDF roughness" is this formula. 7 minutes.
+""",
+    sources=("Deck, slide Plausible Shading - The Scale Effect", "Olano & Baker 2010, LEAN Mapping",
+             "Toksvig 2005, Mipmapping Normal Maps"),
+    honesty="Numbers: bumps of normal slopes, equally large from above, the mean of D; G, F and hidden bumps are left out. The "
+            "picture's bumps are six waves, and its light is bent to the screen. The first plot takes a ball 600 pixels wide.",
+    values=(Value("bumps", 300.0, low=3.0, high=1500.0), Value("bump_slope", 0.2, low=0.0, high=0.4),
+            Value("m", 0.1, low=0.05, high=0.4), Value("samples", 16, low=1, high=64),
+            Value("theta_h", 12.0, low=0.0, high=60.0, more=True)),
+    minutes=7,
 )
 
 BODY_PYTHON = """import numpy as np
@@ -162,28 +846,21 @@ def body_coupled(n_dot_l, n_dot_v, rho, f0):
 BODY_PYTHON_SOLVED = """import numpy as np
 
 def body_coupled(n_dot_l, n_dot_v, rho, f0):
-    def through(c):  # 1 - F
-        x = 1 - c
-        return (1 - f0) * c * (1 + x + x**2 + x**3 + x**4)
-
-    return rho * through(n_dot_l) * through(n_dot_v) / (np.pi * (1 - f0) * 20 / 21)
+    through_l, through_v = ((1 - f0) * (1 - (1 - c)**5) for c in (n_dot_l, n_dot_v))
+    return rho * through_l * through_v / (np.pi * (1 - f0) * 20 / 21)  # 1 - F_avg
 """
 BODY_GLSL_HEAD = "float body_coupled(float n_dot_l, float n_dot_v, float rho, float f0) {\n"
 BODY_GLSL_STUB = BODY_GLSL_HEAD + "    return 0.0;\n}\n"
-BODY_GLSL_SOLVED = """float entered(float c, float f0) {
-    float x = 1.0 - c;
-    return (1.0 - f0) * c * (1.0 + x + x * x + x * x * x + x * x * x * x); // 1 - F
-}
-
-""" + BODY_GLSL_HEAD + """    float f_avg = f0 + (1.0 - f0) / 21.0;
-    return rho * entered(n_dot_l, f0) * entered(n_dot_v, f0) / (3.14159265 * (1.0 - f_avg));
+BODY_GLSL_SOLVED = BODY_GLSL_HEAD + """    vec2 c = vec2(n_dot_l, n_dot_v), x = 1.0 - c;
+    vec2 entered = (1.0 - f0) * c * (1.0 + x + x * x + x * x * x + x * x * x * x); // 1 - F, where nothing cancels
+    return rho * entered.x * entered.y / (3.14159265 * (1.0 - f0) * 20.0 / 21.0);
 }
 """
 
 CHAPTER = Chapter(
     title="Plausible shading",
     idea="Right units, a balanced material and a camera make a picture one can believe.",
-    steps=(ENERGY,),
+    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE),
     exercises=(
         Exercise(
             name="coated",
@@ -193,14 +870,10 @@ CHAPTER = Chapter(
             stubs={"python": BODY_PYTHON, "glsl": BODY_GLSL_STUB},
             solutions={"python": BODY_PYTHON_SOLVED, "glsl": BODY_GLSL_SOLVED},
             checks=(
-                Check({"n_dot_l": (1.0, 0.9), "n_dot_v": (1.0, 0.8), "rho": (1.0, 0.5), "f0": (0.0, 0.04)},
-                      "nearly head-on"),
-                Check({"n_dot_l": (0.2, 0.7), "n_dot_v": (0.7, 0.2), "rho": (0.8, 0.8), "f0": (0.04, 0.04)},
-                      "light and eye swapped: the same"),
-                Check({"n_dot_l": (0.5, 0.5), "n_dot_v": (0.5, 0.5), "rho": (0.8, 0.8), "f0": (0.02, 0.17)},
-                      "water and diamond"),
-                Check({"n_dot_l": (0.05, 0.9), "n_dot_v": (0.6, 0.01), "rho": (0.9, 0.3), "f0": (0.08, 0.5)},
-                      "grazing", hidden=True),
+                Check({"n_dot_l": (1.0, 0.9), "n_dot_v": (1.0, 0.8), "rho": (1.0, 0.5), "f0": (0.0, 0.04)}, "nearly head-on"),
+                Check({"n_dot_l": (0.2, 0.7), "n_dot_v": (0.7, 0.2), "rho": (0.8, 0.8), "f0": (0.04, 0.04)}, "light and eye swapped: the same"),
+                Check({"n_dot_l": (0.5, 0.5), "n_dot_v": (0.5, 0.5), "rho": (0.8, 0.8), "f0": (0.02, 0.17)}, "water and diamond"),
+                Check({"n_dot_l": (0.05, 0.9), "n_dot_v": (0.6, 0.01), "rho": (0.9, 0.3), "f0": (0.08, 0.5)}, "grazing", hidden=True),
             ),
         ),
     ),

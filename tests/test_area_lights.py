@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.gpu.evaluate import evaluate
-from app.optics import area_light, light_samples, light_shape, shape_samples, solid_angle
+from app.optics import area_light, light_samples, light_shape, shape_samples, solid_angle, solid_angle_flat
 
 SHAPES = {"panel": 0, "disk": 1, "sphere": 2, "polygon": 3}
 KINDS = {"grid": 0, "random": 1, "stratified": 2, "Sobol": 3, "Sobol in solid angle": 4, "Gauss in solid angle": 5}
@@ -62,7 +62,7 @@ def omega(kind: int, position) -> float:
         return solid_angle.solid_angle_sphere(LAMP["panel_width"] / 2, np.sqrt(x * x + y * y + z * z))
     corners = area_light.outline_at(4 + kind // 3, np.arange(4 + kind // 3))
     points = area_light.panel_point(**PLACE, s=corners[:, 0], t=corners[:, 1])
-    return solid_angle.solid_angle_polygon(points - position, len(corners))
+    return solid_angle_flat.solid_angle_polygon(points - position, len(corners))
 
 
 @pytest.mark.parametrize("position", PLACES)

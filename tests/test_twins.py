@@ -215,6 +215,21 @@ def a_lamp_above(a: dict, rng) -> dict:
     return a | {"half_angle": f32(half), "theta_l": f32(np.minimum(a["theta_l"], 1.5 - half))}
 
 
+def above_the_floor(a: dict, rng) -> dict:
+    """Globes that hang free, seen from within a room: from afar the cosine of their slant is rounding."""
+    near = {name: f32(np.clip(a[name], -4, 4)) for name in ("from_wall", "along_wall")}
+    return a | near | {"source_radius": f32(np.minimum(a["source_radius"], 0.5))}
+def mirrored_by_some(a: dict, rng) -> dict:
+    """Facets that mirror something head-on: else F is 1 - l.h to the fifth, and that is rounded before."""
+    spread = mirrored({"m": draw("m", rng)} | a, rng)
+    return {name: spread[name] for name in a} | {"f0": f32(np.maximum(a["f0"], 1e-3))}
+
+
+def off_the_horizon(a: dict, rng) -> dict:
+    """An angle below 90 degrees, and a share mirrored head-on: both are divided by."""
+    return a | {"theta": f32(np.minimum(np.abs(a["theta"]), 1.5)), "f0": f32(np.maximum(a["f0"], 1e-3))}
+
+
 def wider_than_a_step(a: dict, rng) -> dict:
     """Facets wide enough that float32 knows where in their lobe a bump lies."""
     return a | {"m": f32(np.maximum(a["m"], 0.05)), "facets": np.minimum(a["facets"], 3000)}
@@ -222,6 +237,10 @@ def wider_than_a_step(a: dict, rng) -> dict:
 
 JOINT = {  # arguments that belong together
     "d_bumps_counted": wider_than_a_step,
+    "dg_at": mirrored,
+    "dgf_at": mirrored_by_some,
+    "schlick_at": mirrored_by_some,
+    "mirror_gain": off_the_horizon,
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
                      "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
@@ -246,6 +265,7 @@ JOINT = {  # arguments that belong together
     "light_sample": of_its_level,
     "paint_measured": a_lamp_above,
     "stratified_sample": of_its_level,
+    "lamps_illuminance_by_area": above_the_floor,
     "meets_patch": unit,
     "radiance_sensor": opened,
     "radiance_sensor_projected": opened,

@@ -8,9 +8,10 @@ import re
 import numpy as np
 
 from app import shader
-from app.badges import Badge, check
+from app.badges import Badge, samples
 from app.board.brdf_file import BrdfFile, Default
-from app.hemisphere import frame
+from app.board.verdict import worst_of
+from app.hemisphere import NORMAL, frame
 from app.problem import Problem
 
 ROUNDING = 1e-4  # two ways around a float32 formula may differ by this much; a different formula differs by more
@@ -35,7 +36,7 @@ def uniforms(file: BrdfFile, prefix: str) -> str:
 class BrdfModel:
     def __init__(self, file: BrdfFile, number: int = 0):
         self.file, self.prefix = file, f"model{number}_"
-        self.name, self.parameters = file.name, file.parameters
+        self.name, self.parameters, self.warnings = file.name, file.parameters, file.warnings
         source = prefixed(file, self.prefix)
         call = (f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) "
                 f"{{ return {self.prefix}BRDF(l, v, n, x, y); }}")
@@ -57,26 +58,16 @@ class BrdfModel:
     def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
         """The worst of the three channels; a grey model is asked once. Below the horizon a file's word counts nothing:
         the explorer never asks there."""
-        grey = True
-        found = []
-        for channel in range(3):
-            def reflect(n, l, v, channel=channel):
-                nonlocal grey
-                rgb = np.where(above(l, v), self.rgb(n, l, v, values), 0)
-                grey &= bool(np.array_equal(rgb, rgb[..., :1] + 0 * rgb, equal_nan=True))
-                return rgb[..., channel]
+        def reflect(n, l, v, channel):
+            return np.where(above(l, v), self.rgb(n, l, v, values), 0)[..., channel]
 
-            found.append(check(reflect, same=ROUNDING))
-            if grey:
-                break
-        return {name: max((badges[name] for badges in found), key=lambda b: severity(name, b)) for name in found[0]}
+        return worst_of(reflect, 1 if self.is_grey(values) else 3, ROUNDING)
+
+    def is_grey(self, values: dict[str, Default] | None = None) -> bool:
+        """Whether its channels are the same, at the directions that badges look at."""
+        rgb = self.rgb(NORMAL, *samples(), values)
+        return bool(np.array_equal(rgb, rgb[..., :1] + 0 * rgb, equal_nan=True))
 
 
 def above(l, v) -> np.ndarray:
     return ((l[..., 2] > 0) & (v[..., 2] > 0))[..., None]
-
-
-def severity(name: str, badge: Badge) -> tuple[bool, float]:
-    """What makes one channel's badge worse than another's."""
-    worst = np.inf if badge.worst is None else badge.worst
-    return not badge.ok, -worst if name == "non_negative" else worst

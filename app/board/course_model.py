@@ -5,36 +5,54 @@ from dataclasses import dataclass
 import numpy as np
 
 from app import optics
-from app.badges import Badge, check
+from app.badges import Badge
 from app.board.brdf_file import Default, Parameter
+from app.board.verdict import worst_of
 from app.quantities import quantity
 
 PREFIX = "brdf_"
-VECTORS = ("n", "l", "v")
+VECTORS, GIVEN = ("n", "l", "v"), ("channel", "radiance")
 
 
 def names() -> list[str]:
-    return sorted(name.removeprefix(PREFIX) for name in optics.names() if name.startswith(PREFIX))
+    """Those that are functions of n, l and v."""
+    return sorted(name.removeprefix(PREFIX) for name in optics.names()
+                  if name.startswith(PREFIX) and optics.arguments(name)[:3] == VECTORS)
 
 
 @dataclass(frozen=True)
 class CourseModel:
     name: str  # without the prefix
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def function(self) -> str:
+        return PREFIX + self.name
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         """From the table of quantities, in the units of the formula (angles in radians)."""
         found = []
-        for name in optics.arguments(PREFIX + self.name):
-            if name not in VECTORS:
+        for name in optics.arguments(self.function):
+            if name not in (*VECTORS, *GIVEN):
                 q = quantity(name)
                 found.append(Parameter(name, "float", q.low, q.high, float(q.default), 0))  # type: ignore[arg-type]
         return tuple(found)
 
-    def value(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+    def is_grey(self, values: dict[str, Default] | None = None) -> bool:
+        return "channel" not in optics.arguments(self.function)
+
+    def value(self, n, l, v, values: dict[str, Default] | None = None, channel: int = 0) -> np.ndarray:
         """float64 values in 1/sr at unit vectors (..., 3)."""
         given = {p.name: p.default for p in self.parameters} | (values or {})
-        return np.asarray(optics.twin(PREFIX + self.name)(n=n, l=l, v=v, **given))
+        given |= {name: value for name, value in (("channel", channel), ("radiance", 1.0)) if name in
+                  optics.arguments(self.function)}
+        return np.asarray(optics.twin(self.function)(n=n, l=l, v=v, **given))
+
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+        """The three channels (..., 3); those of a grey model are the same."""
+        found = [self.value(n, l, v, values, channel) for channel in range(1 if self.is_grey() else 3)]
+        return np.stack((found * 3)[:3], -1)
 
     def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
-        return check(lambda n, l, v: self.value(n, l, v, values))
+        return worst_of(lambda n, l, v, channel: self.value(n, l, v, values, channel), 1 if self.is_grey() else 3)

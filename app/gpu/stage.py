@@ -13,6 +13,7 @@ from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
 from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
 from app.lesson import Camera, Mark, Surface
+from app.mesh_edges import corner_normals
 from app.problem import Problem
 from app.shader import Assembled
 from app.theme import Theme, colour, rgb
@@ -99,6 +100,8 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
+                if any("normals" in use for use in self.programs.values()):
+                    self.hold("normals", corner_normals(triangles))
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 

@@ -1,0 +1,60 @@
+"""What the board takes: the word for a model, on the command line or in a plot's term, and the model it means."""
+
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from app.badges import Badge
+from app.board import course_model, merl
+from app.board.brdf_file import Default, Parameter, read
+from app.board.brdf_model import BrdfModel
+from app.board.coated import Coated
+from app.board.course_model import CourseModel
+from app.problem import Problem, Usage, near
+
+FILES = ".brdf", ".binary"
+
+
+class BoardModel(Protocol):
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]: ...
+
+    @property
+    def warnings(self) -> tuple[str, ...]: ...
+
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+        """(..., 3) in 1/sr at unit vectors (..., 3); n.z is not below 0."""
+
+    def is_grey(self, values: dict[str, Default] | None = None) -> bool: ...
+
+    def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]: ...
+
+
+def opened(word: str) -> BoardModel:
+    """The model of a file, or the course's of that name."""
+    if word.endswith(FILES) or Path(word).is_file():
+        return merl.read(word) if merl.is_one(word) else BrdfModel(read(word))
+    if word == Coated.name:
+        return Coated()
+    name = word.removeprefix(course_model.PREFIX)
+    if name not in course_model.names():
+        raise Usage(f"there is no model {word}, and no such file.{near(name, [*course_model.names(), Coated.name])}")
+    return CourseModel(name)
+
+
+def listed(words: list[str]) -> list[str]:
+    """The words, a folder replaced by the models' files in it."""
+    found: list[str] = []
+    for word in words:
+        if not Path(word).is_dir():
+            found.append(word)
+            continue
+        inside = sorted(str(path) for path in Path(word).iterdir() if path.suffix.lower() in FILES)
+        if not inside:
+            raise Problem(f"{word} holds no file that ends in {' or '.join(FILES)}.")
+        found += inside
+    return found

@@ -1,0 +1,151 @@
+"""Bumps that turn into roughness, by a second method: integrals by scipy and mpmath, counts, filtered waves."""
+
+import mpmath
+import numpy as np
+import pytest
+from scipy import integrate, special
+
+from app.gpu.evaluate import evaluate
+from app.mesh_edges import corner_normals
+from app.meshes import built_in
+from app.optics.beckmann import d_beckmann_slope
+from app.optics.board import dgf_at, mirror_gain
+from app.optics.cook_torrance import cook_torrance_at
+from app.optics.filter import toksvig_exponent
+from app.optics.scale_effect import (
+    aliasing_error,
+    bump_kept,
+    d_bumps,
+    d_bumps_counted,
+    d_filtered,
+    d_toksvig,
+    d_unfiltered,
+    filter_error,
+    m_effective,
+    m_pixel,
+    normal_shortfall,
+    sampling_error,
+    samples_worth,
+)
+
+PAIRS = [(0.1, 0.2), (0.3, 0.05), (0.05, 0.4), (1.0, 1.0), (0.7, 0.3)]
+pairs = pytest.mark.parametrize(("m", "sigma"), PAIRS)
+
+
+def test_the_example_of_the_reference():
+    """m = 0.1, sigma = 0.2 at h = n: unfiltered 31.8, LEAN 3.54, Toksvig 4.08; the truth is 3.60 by its integral."""
+    assert d_unfiltered(0.0, 0.1) == pytest.approx(31.8, abs=0.05)
+    assert d_filtered(0.0, 0.1, 0.2) == pytest.approx(3.54, abs=0.005)
+    assert d_toksvig(0.0, 0.1, 0.2) == pytest.approx(4.08, abs=0.005)
+    assert d_bumps(0.1, 0.2) == pytest.approx(3.6002, abs=5e-5)
+    assert m_effective(0.1, 0.2) == pytest.approx(0.3, abs=1e-15)
+    assert 1 / (np.pi * m_effective(0.1, 0.2) ** 2) == pytest.approx(d_filtered(0.0, 0.1, 0.2), rel=1e-14)
+
+
+def moment(m, sigma, power):
+    """E[D^power] over two normal slopes, as a plane integral in mpmath."""
+    with mpmath.workdps(30):
+        m, s = mpmath.mpf(m), 2 * mpmath.mpf(sigma) ** 2
+
+        def weighted(t):
+            d = mpmath.exp(-t / m**2) * (1 + t) ** 2 / (mpmath.pi * m**2)
+            return d**power * mpmath.exp(-t / s) / s
+
+        scale = 1 / (power / m**2 + 1 / s)
+        return mpmath.quad(weighted, [0, scale, 4 * scale, 16 * scale, 64 * scale, mpmath.inf])
+
+
+@pairs
+def test_the_mean_and_its_spread_are_their_integrals(m, sigma):
+    mean, square = moment(m, sigma, 1), moment(m, sigma, 2)
+    assert d_bumps(m, sigma) == pytest.approx(float(mean), rel=1e-12)
+    assert aliasing_error(m, sigma) == pytest.approx(float(mpmath.sqrt(square / mean**2 - 1)), rel=1e-9)
+
+
+@pairs
+def test_counted_bumps_come_to_the_mean(m, sigma):
+    off = [abs(d_bumps_counted(0.0, m, sigma, n) / d_bumps(m, sigma) - 1) for n in (100, 10000)]
+    assert off[1] < 2e-4 and off[1] < 0.1 * off[0] + 1e-12
+
+
+def test_counted_bumps_aside_of_the_middle():
+    """A plane integral over both slopes, by scipy."""
+    m, sigma, angle = 0.1, 0.2, 0.3
+    h = np.array([np.sin(angle), 0.0, np.cos(angle)])
+
+    def weighted(y, x):
+        n = np.array([-x, -y, 1.0]) / np.sqrt(1 + x * x + y * y)
+        c = n @ h
+        d = d_beckmann_slope((1 - c * c) / (c * c), m) if c > 0 else 0.0
+        return d * np.exp(-(x * x + y * y) / (2 * sigma**2)) / (2 * np.pi * sigma**2)
+
+    exact, _ = integrate.dblquad(weighted, -1.1, 0.5, -0.8, 0.8, epsabs=1e-7)
+    assert d_bumps_counted(angle, m, sigma, 10000) == pytest.approx(exact, rel=2e-3)
+
+
+@pairs
+def test_the_one_evaluation_misses_what_is_said(m, sigma):
+    assert 1 - d_filtered(0.0, m, sigma) / d_bumps(m, sigma) == pytest.approx(filter_error(m, sigma), rel=1e-9)
+    n = samples_worth(m, sigma)
+    assert sampling_error(n, m, sigma) == pytest.approx(filter_error(m, sigma), rel=1e-12)
+
+
+def test_random_samples_err_as_the_variance_says():
+    rng = np.random.default_rng(5)
+    slopes = 0.2 * rng.normal(size=(20000, 16, 2))
+    means = d_beckmann_slope(np.sum(slopes**2, -1), 0.1).mean(1)
+    assert np.std(means) / d_bumps(0.1, 0.2) == pytest.approx(sampling_error(16, 0.1, 0.2), rel=0.05)
+
+
+@pytest.mark.parametrize("sigma", [1e-3, 0.05, 0.2, 0.5, 1.0])
+def test_the_mean_normal(sigma):
+    """int e^(-u) / sqrt(1 + S u) du = sqrt(pi) x erfcx(x), x = 1 / sqrt(S)."""
+    x = 1 / (np.sqrt(2) * sigma)
+    assert 1 - normal_shortfall(sigma) == pytest.approx(np.sqrt(np.pi) * x * special.erfcx(x), rel=1e-13)
+    short = normal_shortfall(sigma)
+    exponent = toksvig_exponent(1 - short, 2 / 0.1**2 - 2)
+    assert d_toksvig(0.0, 0.1, sigma) == pytest.approx((exponent + 2) / (2 * np.pi), rel=1e-11)
+
+
+def test_a_pixel_hides_what_it_does_not_show():
+    bumps = np.array([1.0, 60.0, 600.0, 6000.0])
+    assert np.all(np.diff(m_pixel(0.1, 0.2, bumps)) > 0)
+    assert m_pixel(0.1, 0.2, bumps[0]) == pytest.approx(0.1, rel=1e-4)
+    assert m_pixel(0.1, 0.2, bumps[-1]) == pytest.approx(m_effective(0.1, 0.2), rel=1e-12)
+    assert m_pixel(0.1, 0.2, bumps) == pytest.approx(np.sqrt(0.01 + 0.08 * (1 - bump_kept(bumps) ** 2)), rel=1e-12)
+    per_pixel = np.array([0.1, 0.3])
+    square = np.sinc(per_pixel)  # of a square pixel: the same to the fourth order, pi^4 p^4 (1/72 - 1/120)
+    assert bump_kept(600 * per_pixel) - square == pytest.approx(0.5412 * per_pixel**4, rel=0.2)
+
+
+def test_the_forgotten_square_of_two_is_noticed():
+    """A sum that took sigma for the slope along both axes would be off by half."""
+    assert abs(1 / (np.pi * (0.1**2 + 0.2**2)) / d_bumps(0.1, 0.2) - 1) > 0.7
+
+
+# --- the board -------------------------------------------------------------------------------------------------------
+def test_the_factors_make_the_model():
+    rng = np.random.default_rng(2)
+    theta_l, theta_v, phi = rng.uniform(0, 1.4, (3, 50)) * [[1], [1], [2]]
+    quotient = dgf_at(theta_l, theta_v, phi, 0.4, 0.04) / (4 * np.cos(theta_l) * np.cos(theta_v))
+    assert quotient == pytest.approx(cook_torrance_at(theta_l, theta_v, phi, 0.4, 0.04), rel=1e-12)
+    at = 1.1
+    gain = cook_torrance_at(at, at, np.pi, 0.3, 0.04) / cook_torrance_at(0.0, 0.0, np.pi, 0.3, 0.04)
+    assert mirror_gain(at, 0.04) == pytest.approx(gain, rel=1e-12)
+
+
+@pytest.mark.parametrize(("shape", "off"), [("sphere", 0.003), ("cube", 0.0)])
+def test_corner_normals(shape, off):
+    triangles = built_in(shape).triangles
+    found = corner_normals(triangles)
+    assert np.linalg.norm(found, axis=-1) == pytest.approx(1.0, abs=1e-12)
+    flat = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    exact = triangles if shape == "sphere" else np.repeat(flat[:, None] / np.linalg.norm(flat, axis=-1)[:, None, None], 3, 1)
+    assert np.abs(found - exact).max() <= off + 1e-12
+    shuffled = np.random.default_rng(1).permutation(len(triangles))
+    assert corner_normals(triangles[shuffled]) == pytest.approx(found[shuffled], abs=1e-12)
+
+
+def test_the_shader_counts_the_same(ctx):
+    args = {"theta_h": np.array([0.0, 0.2]), "m": 0.1, "bump_slope": 0.2, "facets": np.array([10000, 10000])}
+    assert evaluate("d_bumps_counted", args, ctx=ctx) == pytest.approx(d_bumps_counted(**args), rel=1e-5)
