@@ -159,6 +159,18 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     assert len(colours) > 20, "the picture is nearly of one colour"
 
 
+def test_phong_s_links_show_what_they_promise():
+    """As printed: f grows beyond 1 in low light, and another f for light and eye swapped."""
+    from app.optics import twin
+
+    found = catalog.step("brdfs/phong")
+    at = {link.words: defaults(found) | parse_query(link.target[1:], found)[0] for link in prose.links(found.step.prose)}
+    f = twin("highlight_brdf")
+    low, swap = at["low light"], at["swapping"]
+    assert f(**low) > 5 * f(**defaults(found))
+    assert f(**swap | {"theta_l": swap["theta_v"], "theta_v": swap["theta_l"]}) > 2 * f(**swap)
+
+
 @pytest.mark.parametrize("agree", [False, True])
 def test_a_crease_is_a_line_even_where_light_and_eye_agree(agree, ctx):
     """Masking and shadowing are then the same all over, and not a crease all over."""
