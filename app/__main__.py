@@ -18,7 +18,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "render": ("", "one step as a picture"),
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
-    "board": ("app.board.command", "any reflectance model, of the course, of a .brdf file or measured, judged"),
+    "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."

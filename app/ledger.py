@@ -5,6 +5,7 @@ here (by its own rules sr is 1, and a lumen would be a candela).
 """
 
 from collections.abc import Iterator
+import math
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
@@ -81,7 +82,8 @@ def lines(column: tuple[LedgerRow, ...], values: dict) -> list[Line]:
     for row in column:
         value = float(evaluate(row.term, values))
         before = found[-1].value if found else 0.0
-        found.append(Line(row.label, value, row.unit, value / before if before else None, row.by, row.how))
+        factor = value / before if before else math.nan
+        found.append(Line(row.label, value, row.unit, factor if math.isfinite(factor) else None, row.by, row.how))
     return found
 
 

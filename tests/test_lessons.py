@@ -113,6 +113,7 @@ def low_high(found, name: str, end: str):
 
 NO_NUMBER = {  # a formula without a value is shown on purpose, and said in words
     "brdfs/properties": lambda values: values["flaw"] == 5 and 0 in (values["theta_l"], values["theta_v"]),
+    "lights/area_units": lambda values: 0 in (values["panel_width"], values["panel_depth"]),
 }
 MEANT = {  # negative light is shown on purpose, drawn as such and counted
     "lights/distribution": lambda values: values["radiant_flux"] < 0,

@@ -23,30 +23,44 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
                         help="models of the course (cook_torrance, oren_nayar ...), files of the BRDF explorer "
                              "(.brdf), measurements in MERL's format (.binary), or folders of such files")
     parser.add_argument("--json", action="store_true", help="print it as JSON")
+    parser.add_argument("-o", "--output", metavar="REPORT.png", help="the board as a picture, of up to four models")
+    parser.add_argument("--theme", metavar="NAME", help="of the picture: dark, light or projector")
+    parser.add_argument("--size", metavar="WxH", help="of the picture, in pixels; 1920x1200")
 
 
 def run(options: argparse.Namespace) -> int:
     """A file that cannot be read is told, and the others go on; with none left the code is its own."""
     if not options.models:
         raise Usage(f"halfway board wants a model or a file; models are {', '.join(course_model.names())}.")
-    found: list[dict] = []
+    asked = listed(options.models)
+    if options.output:
+        from app.export.board_report import SIZE, checked, save
+
+        checked(asked, options.output)
+    found: dict[str, dict] = {}
     problems: list[Problem] = []
-    for word in listed(options.models):
+    for word in asked:
         try:
-            found.append(facts(opened(word)))
+            found[word] = facts(opened(word))
         except Problem as problem:
             problems.append(problem)
     if not found:
         *others, last = problems
         told(others)
         raise last
-    if options.json:
+    if options.output:
+        save(list(found), options.output, options.theme or "dark", options.size or SIZE)
+    tell(list(found.values()), problems, options.json)
+    return 0
+
+
+def tell(found: list[dict], problems: list[Problem], as_json: bool) -> None:
+    if as_json:
         whole = found[0] if len(found) + len(problems) == 1 else found
         print(json.dumps(whole, indent=1, ensure_ascii=False, allow_nan=False))
     else:
         print("\n\n".join(words(one) for one in found))
     told([*problems, *(w for one in found for w in one.get("warnings", ()))])
-    return 0
 
 
 def told(sentences: Sequence[object]) -> None:

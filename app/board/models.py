@@ -9,6 +9,7 @@ from app.badges import Badge
 from app.board import course_model, merl
 from app.board.brdf_file import Default, Parameter, read
 from app.board.brdf_model import BrdfModel
+from app.board.coated import Coated
 from app.board.course_model import CourseModel
 from app.problem import Problem, Usage, near
 
@@ -37,9 +38,11 @@ def opened(word: str) -> BoardModel:
     """The model of a file, or the course's of that name."""
     if word.endswith(FILES) or Path(word).is_file():
         return merl.read(word) if merl.is_one(word) else BrdfModel(read(word))
+    if word == Coated.name:
+        return Coated()
     name = word.removeprefix(course_model.PREFIX)
     if name not in course_model.names():
-        raise Usage(f"there is no model {word}, and no such file.{near(name, course_model.names())}")
+        raise Usage(f"there is no model {word}, and no such file.{near(name, [*course_model.names(), Coated.name])}")
     return CourseModel(name)
 
 

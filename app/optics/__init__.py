@@ -1,6 +1,6 @@
 """float64 twins of glsl/optics: same file names, function names, argument names and order.
 
-`twin` finds a function by its name and imports only its file.
+`twin` finds a function by its name and imports only its file. A name with a colon is a model of the board: board:MODEL.
 """
 
 import inspect
@@ -24,8 +24,14 @@ def names() -> dict[str, str]:
     return found
 
 
-@cache
 def twin(name: str) -> Callable:
+    if ":" in name:  # not one of ours, and a user's file may change
+        return import_module("app.board.terms").function(name)
+    return own(name)
+
+
+@cache
+def own(name: str) -> Callable:
     if name not in names():
         raise Usage(f"there is no function {name}.{near(name, names())}")
     return getattr(import_module(f"app.optics.{names()[name]}"), name)

@@ -76,8 +76,9 @@ class ImageSlicePart:
         size = max(2, round(right - left)), max(2, round(lower - upper))
         painted = Image.fromarray(np.round(255 * colours[::-1]).astype(np.uint8))
         painted = painted.resize(size, Image.Resampling.BILINEAR)
+        there = Image.fromarray(np.where(np.isnan(self.f[::-1]), 0, 255).astype(np.uint8))  # holes for no number
         sheet = Image.fromarray(picture)
-        sheet.paste(painted, (round(left), round(upper)))
+        sheet.paste(painted, (round(left), round(upper)), there.resize(size, Image.Resampling.NEAREST))
         draw, letters, ink = ImageDraw.Draw(sheet), font(look, look.small), bytes3(look.foreground)
         end = -math.inf
         for degrees in TICKS_H:

@@ -1,0 +1,72 @@
+"""A model of the board as a function that the term of a plot can name, also in the plots' own process.
+
+    board:WORD     f(n, l, v, channel, values) in 1/sr
+    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1e-3, a pixel of a plot,
+                   where G has bends, and better where the model is smooth
+
+WORD is what `halfway board` takes: a model of the course or a path. `channel` is 0, 1 or 2, or LUMINANCE for what the
+three weigh together; `values` are the model's parameters in their order, a colour as three numbers.
+`app.optics.twin` comes here for every name with a colon. A file that has changed is read again.
+"""
+
+from collections.abc import Callable
+from functools import cache, lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from app.board.brdf_file import Default, Parameter
+from app.board.models import opened
+from app.furnace import albedo
+from app.problem import Usage
+
+LUMINANCE = -1
+WEIGHTS = np.array([0.2126, 0.7152, 0.0722])  # of linear sRGB (IEC 61966-2-1)
+ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-1]) ** 1.5), 89.9))  # denser to the horizon
+
+
+def packed(parameters: tuple[Parameter, ...], values: dict[str, Default]) -> tuple[float, ...]:
+    return tuple(float(x) for p in parameters for x in np.ravel(values.get(p.name, p.default)))  # type: ignore[arg-type]
+
+
+def unpacked(parameters: tuple[Parameter, ...], numbers: tuple[float, ...]) -> dict[str, Default]:
+    found: dict[str, Default] = {}
+    rest = list(numbers)
+    for p in parameters:
+        taken, rest = rest[:3 if p.type == "color" else 1], rest[3 if p.type == "color" else 1:]
+        found[p.name] = tuple(taken) if p.type == "color" else bool(taken[0]) if p.type == "bool" else taken[0]  # type: ignore[assignment]
+    return found
+
+
+def function(name: str) -> Callable:
+    """What a name with a colon means."""
+    kind, _, word = name.partition(":")
+    if kind not in ("board", "albedo"):
+        raise Usage(f"there is no function {name}; with a colon there are board:MODEL and albedo:MODEL.")
+    try:
+        about = Path(word).stat()
+        stamp: tuple = about.st_mtime_ns, about.st_size
+    except OSError:
+        stamp = ()
+    return made(kind, word, stamp)
+
+
+@lru_cache(16)
+def made(kind: str, word: str, stamp: tuple) -> Callable:
+    model = opened(word)
+
+    def value(n, l, v, channel, values):
+        return channel_of(model.rgb(n, l, v, unpacked(model.parameters, values)), channel)
+
+    @cache
+    def at_angles(channel: int, values: tuple[float, ...]) -> np.ndarray:
+        return albedo(lambda n, l, v: value(n, l, v, channel, values), ANGLES)[0]
+
+    def share(theta_v, channel, values):
+        return np.interp(theta_v, ANGLES, at_angles(channel, values))
+
+    return value if kind == "board" else share
+
+
+def channel_of(rgb: np.ndarray, channel: int) -> np.ndarray:
+    return rgb @ WEIGHTS if channel == LUMINANCE else rgb[..., channel]
