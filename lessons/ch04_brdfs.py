@@ -1154,14 +1154,12 @@ short cuts.
         glsl="""
 #include "optics/blinn_phong.glsl"
 #include "display/palette.glsl"
-uniform float theta_v;
-uniform float exponent;
-uniform float k_d;
-uniform float k_s;
+#include "display/rings.glsl"
+uniform float theta_v, exponent, k_d, k_s;
 
-const float DEEP = 0.02; // a ball stands out from the card by this times the share it gives back
 const vec3 LARGE = vec3(0.0, 0.0, 0.72);
-const float SIZE = 1.5;
+const float SIZE = 1.5, SMALL = 0.55;
+const float WIDER = 1.0353; // 1 / cos(pi / 12): the edges of a ball's twelve columns stay outside of it
 
 vec3 small(int i) {
     return vec3(1.32 * (float(i) - 1.5), 0.0, -1.72);
@@ -1172,25 +1170,29 @@ float factor(int i) { // of the small balls, over the exact one
     return normalisation_short_share(exponent, i == 1 ? 8.0 : i == 2 ? 6.0 : 2.0);
 }
 
-// Balls seen from far away: discs, whose share at each corner is carried by the depth
+vec3 middle(int surface) { return surface == 1 ? LARGE : small(surface - 2); }
+
+// Balls seen from far away: discs, whose share of the light is worked out at the corners
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vec3(5.6 * s.x - 2.8, 0.1, 5.3 * s.y - 2.9);
-    float theta = 0.5 * PI * s.y, turn = 2.0 * PI * s.x;
-    vec3 out_from = sin(theta) * vec3(cos(turn), 0.0, sin(turn));
-    if (surface == 1) {
-        float share = k_d + k_s * albedo_blinn_phong(theta, exponent);
-        return LARGE + SIZE * out_from - vec3(0.0, DEEP * share, 0.0);
-    }
-    float share = factor(surface - 2) * albedo_blinn_phong(theta, exponent);
-    return small(surface - 2) + 0.55 * out_from - vec3(0.0, DEEP * share, 0.0);
+    float turn = 2.0 * PI * s.x, r = (surface == 1 ? SIZE : SMALL) * sin(0.5 * PI * s.y);
+    return middle(surface) + WIDER * r * vec3(cos(turn), 0.0, sin(turn));
+}
+
+vec4 surface_value(int surface, vec2 s) {
+    if (surface == 0) return vec4(0.0);
+    float share = albedo_blinn_phong(0.5 * PI * s.y, exponent);
+    return vec4(surface == 1 ? k_d + k_s * share : factor(surface - 2) * share, sin(0.5 * PI * s.y), 0.0, 0.0);
 }
 
 vec3 shade(Surface s) {
     vec3 heat = vec3(0.50, 0.47, 0.43);
     if (s.id == 0) return heat;
-    float share = max(-s.position.y / DEEP, 0.0);
+    float r = length(s.position - middle(s.id)) / (s.id == 1 ? SIZE : SMALL);
+    float share = max(round_value(s.value.x, s.value.y, r), 0.0);
     bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 3.0;
-    return share > 1.0005 && stripe ? palette[COLOUR_PRINTED] : heat * share;
+    vec3 colour = share > 1.0005 && stripe ? palette[COLOUR_PRINTED] : heat * share;
+    return mix(colour, heat, clamp(0.5 + (r - 1.0) / max(fwidth(r), 1e-6), 0.0, 1.0));
 }
 
 vec3 place(float turn) {
@@ -1208,8 +1210,8 @@ vec4 probe(int i) {
     return vec4(small(i - 1) + vec3(0.0, -0.1, -0.7), 1.0);
 }
 """,
-        surfaces=(Surface("furnace", cells=(1, 1)), Surface("ball", cells=(64, 24)),
-                  *(Surface(name, cells=(40, 14)) for name in ("exact factor", "n + 8", "n + 6", "n + 2"))),
+        surfaces=(Surface("furnace", cells=(1, 1)), Surface("ball", cells=(12, 24)),
+                  *(Surface(name, cells=(12, 14)) for name in ("exact factor", "n + 8", "n + 6", "n + 2"))),
         marks=(Mark("angle", colour="v", segments=64, width=1.3), Mark("outline", colour="quiet", line="dotted", segments=96),
                *(Mark(f"outline {i}", colour="quiet", line="dotted", segments=64) for i in range(4))),
         labels=(Label("exact", 1), Label("n + 8", 2), Label("n + 6", 3), Label("n + 2", 4)),

@@ -35,12 +35,7 @@ EYE_GLSL = """
 uniform float theta_v;
 
 vec3 eye() { return normalize(camera_position); }
-
-vec3 up() {
-    vec3 v = eye();
-    return normalize(vec3(0.0, 0.0, 1.0) - v.z * v);
-}
-
+vec3 up() { return normalize(vec3(0.0, 0.0, 1.0) - eye().z * eye()); }
 vec3 aside() { return cross(up(), eye()); }
 """
 # A ball seen from far away. Its picked point is theta_v from the eye's direction, upwards; the light stands over that
@@ -90,23 +85,28 @@ Drag the $\colour{v}{\text{ring}}$ [to the middle](?theta_v=20) and [to the rim]
     scene=Scene(
         glsl=EYE_GLSL + """
 #include "optics/geometry_choice.glsl"
+#include "display/rings.glsl"
 uniform float m;
-
-const float SIZE = 1.6;
-const float RELIEF = 0.02; // the ball is a disk before the eye; its depth carries the light, worked out at its corners
+const float SIZE = 1.6, WIDER = 1.0125; // 1 / cos(pi / 20): the edges of twenty columns stay outside of the ball
 
 vec3 around(float turn) { return cos(turn) * up() + sin(turn) * aside(); }
+float ring(vec2 s) { return radians(89.5) * s.y * (2.0 - s.y); }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 2) return 4.5 * (2.0 * s.x - 1.0) * aside() + 3.5 * (2.0 * s.y - 1.0) * up() - eye();
-    float angle = radians(89.5) * s.y * (2.0 - s.y), light = albedo_geometry(angle, m, surface == 0 ? 1 : 0);
-    return SIZE * sin(angle) * around(PI * (surface == 0 ? -s.x : s.x)) + RELIEF * light * eye();
+    return WIDER * SIZE * sin(ring(s)) * around(PI * (surface == 0 ? -s.x : s.x)); // a disk before the eye
+}
+
+vec4 surface_value(int surface, vec2 s) { // times the cosine, as a function of which it is smooth at the rim
+    return cos(ring(s)) * vec4(albedo_geometry(ring(s), m, surface == 0 ? 1 : 0), 1.0, 0.0, 0.0);
 }
 
 vec3 shade(Surface s) {
     vec3 sky = vec3(0.20, 0.27, 0.36);
     if (s.id == 2) return sky;
-    float light = max(dot(s.position, eye()) / RELIEF, 0.0);
+    float r2 = dot(s.position, s.position) / (SIZE * SIZE), c = sqrt(max(1.0 - r2, 7.6e-5)); // at least cos 89.5 degrees
+    float light = max(round_value(s.value.x, s.value.y, c) / c, 0.0);
+    if (r2 > 1.0) return sky;
     return light < 1.005 ? sky * light : mix(sky, vec3(1.0, 0.55, 0.16), min(0.25 + 0.75 * (light - 1.0), 1.0)) * min(light, 2.0);
 }
 
@@ -121,7 +121,7 @@ vec4 probe(int i) {
     return vec4((i == 1 ? -1.25 : 1.25) * aside() - 1.9 * up(), 1.0);
 }
 """,
-        surfaces=(Surface("with G", cells=(24, 28)), Surface("without G", cells=(24, 28)), Surface("sky", cells=(1, 1))),
+        surfaces=(Surface("with G", cells=(10, 18)), Surface("without G", cells=(10, 18)), Surface("sky", cells=(1, 1))),
         marks=(Mark("ring", colour="v", segments=72, width=1.2, label="θ", label_at=0.12),
                Mark("divide", colour="quiet", line="dotted"), Mark("outline", colour="quiet", segments=72)),
         labels=(Label("with G", 1), Label("without G", 2)),
