@@ -71,7 +71,7 @@ float height(float at) {
 
 vec2 profile(float s) {
     float most = 0.5 * grooves_shown(zoom, GROOVE), at = clamp(floor(-most) + 0.5 * floor(s * 260.0 + 0.5), -most, most);
-    return most > 60.0 ? vec2(2.0 * s - 1.0, 0.0) : vec2(at / most, height(at));
+    return most > 60.0 ? vec2(s < 0.5 ? -1.0 : 1.0, 0.0) : vec2(at / most, height(at)); // flat: one cell, the rest folded
 }
 
 vec3 surface_point(int surface, vec2 s) {
@@ -81,40 +81,38 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(1.0, 2.0 * s.x - 1.0, mix(-DEEP, profile(1.0).y, s.y));
 }
 
-// The room on the far side, by height and side over distance: a window in the evening and three lamps on a dark wall.
-vec3 room(vec2 p) {
-    vec2 q = abs(p - vec2(-0.30, 0.655)), a = p - vec2(-0.06, 0.80), b = p - vec2(-0.52, 0.76), c = p - vec2(-0.16, 0.535);
-    vec3 colour = mix(vec3(0.012, 0.018, 0.032), vec3(0.09, 0.12, 0.18), clamp(2.2 * p.y - 0.9, 0.0, 1.0));
-    colour += vec3(17.0, 8.0, 2.6) * clamp(1.0 - 620.0 * dot(a, a), 0.0, 1.0);
-    colour += vec3(4.0, 8.0, 15.0) * clamp(1.0 - 900.0 * dot(b, b), 0.0, 1.0);
-    colour += vec3(15.0, 11.0, 7.0) * clamp(1.0 - 1500.0 * dot(c, c), 0.0, 1.0);
-    bool pane = q.x < 0.13 && q.y < 0.075 && min(q.x, q.y) > 0.007;
-    return pane ? mix(vec3(1.9, 0.95, 0.42), vec3(0.75, 1.1, 1.7), clamp(8.0 * p.y - 4.7, 0.0, 1.0)) : colour;
-}
+float side_at(float at) { return at - floor(at) < 0.5 ? slope_of(floor(at)) : -slope_of(floor(at)); }
 
-// The room in a facet of this slope, times how much of the facet is seen, which is last. Its normal is (slope, 0, 1).
-vec4 mirrored(float slope, vec3 v) {
+// The room on the far side, by height and side over distance: a window in the evening and three lamps on a dark wall.
+// Adds what a facet of this slope mirrors, by how much of it is seen; its normal is (slope, 0, 1). In lamps the three and
+// the wall, in window its panes, how blue the wall is and how blue the panes are.
+void mirror(float slope, vec3 v, float near, inout vec4 lamps, inout vec3 window) {
     float seen = max(slope * v.x + v.z, 0.0), turn = 2.0 * seen / (1.0 + slope * slope);
-    return seen * vec4(room(vec2(turn * slope - v.x, abs(turn - v.z)) / max(-v.y, 0.02)), 1.0);
+    vec2 p = vec2(turn * slope - v.x, abs(turn - v.z)) * near, q = abs(p - vec2(-0.30, 0.655));
+    vec2 a = p - vec2(-0.06, 0.80), b = p - vec2(-0.52, 0.76), c = p - vec2(-0.16, 0.535);
+    bool pane = q.x < 0.13 && q.y < 0.075 && min(q.x, q.y) > 0.007;
+    float in_pane = pane ? seen : 0.0, on_wall = seen - in_pane;
+    vec3 lit = max(1.0 - vec3(620.0 * dot(a, a), 900.0 * dot(b, b), 1500.0 * dot(c, c)), 0.0);
+    lamps += on_wall * vec4(lit, 1.0);
+    window += vec3(in_pane, on_wall * clamp(2.2 * p.y - 0.9, 0.0, 1.0), in_pane * clamp(8.0 * p.y - 4.7, 0.0, 1.0));
 }
 
 vec3 shade(Surface s) {
     if (s.id > 0) return mix(vec3(0.035, 0.04, 0.05), vec3(0.17, 0.18, 0.20), s.st.y * s.st.y) * (s.id == 1 ? 1.0 : 0.5);
-    float at = 0.5 * s.position.x * grooves_shown(zoom, GROOVE), wide = fwidth(at);
-    vec4 seen = vec4(0.0);
-    if (wide > 2.0) { // whole grooves, both sides of each
-        for (int k = 0; k < SAMPLES / 2; k++) {
-            float slope = slope_of(floor(at + wide * ((float(k) + 0.5) * 2.0 / float(SAMPLES) - 0.5)));
-            seen += mirrored(slope, s.v) + mirrored(-slope, s.v);
-        }
-        return 0.79 * seen.rgb / max(seen.a, 1e-6);
+    float at = 0.5 * s.position.x * grooves_shown(zoom, GROOVE), wide = fwidth(at), near = 1.0 / max(-s.v.y, 0.02);
+    bool whole = wide > 2.0; // grooves, both sides of each
+    vec4 lamps = vec4(0.0);
+    vec3 window = vec3(0.0);
+    for (int k = 0; k < SAMPLES; k += 2) { // two at a time, and one loop: a CPU runs both of two
+        float x = at + wide * ((float(k) + (whole ? 1.0 : 0.5)) / float(SAMPLES) - 0.5), next = x + wide / float(SAMPLES);
+        float one = side_at(x), two = whole ? -one : side_at(next);
+        mirror(one, s.v, near, lamps, window);
+        mirror(two, s.v, near, lamps, window);
     }
-    int samples = wide < 0.05 ? 1 : SAMPLES;
-    for (int k = 0; k < samples; k++) {
-        float x = at + wide * ((float(k) + 0.5) / float(samples) - 0.5), groove = floor(x), slope = slope_of(groove);
-        seen += mirrored(x - groove < 0.5 ? slope : -slope, s.v);
-    }
-    return 0.79 * seen.rgb / max(seen.a, 1e-6);
+    vec3 light = vec3(17.0, 8.0, 2.6) * lamps.x + vec3(4.0, 8.0, 15.0) * lamps.y + vec3(15.0, 11.0, 7.0) * lamps.z;
+    light += vec3(0.012, 0.018, 0.032) * lamps.w + vec3(0.078, 0.102, 0.148) * window.y;
+    light += vec3(1.9, 0.95, 0.42) * window.x + vec3(-1.15, 0.15, 1.28) * window.z;
+    return 0.79 * light / max(lamps.w + window.x, 1e-6);
 }
 
 float bar_end() { return -1.0 + 0.02 * zoom; }
