@@ -211,14 +211,8 @@ With [fewer tiles](?tile_rows=3&theta_v=55&phi=180&theta_l=55) it slips between 
 #include "optics/sky.glsl"
 #include "display/look.glsl"
 #include "stage/camera.glsl"
-uniform float theta_l;
-uniform float phi;
-uniform float theta_v;
-uniform float sun_radiance;
-uniform float exponent;
-uniform float k_s;
-uniform int tile_rows;
-uniform int layer;
+uniform float theta_l, phi, theta_v, sun_radiance, exponent, k_s;
+uniform int tile_rows, layer;
 
 const float K_D = 0.2;
 const vec3 BLUE = vec3(0.14, 0.38, 1.0), WARM = vec3(1.0, 0.66, 0.26);
@@ -235,12 +229,15 @@ vec3 surface_point(int surface, vec2 s) {
     return vec3(0.16 * (2.0 * s - 1.0), 0.0);
 }
 
+vec4 surface_value(int surface, vec2 s) { return vec4(light_direction(theta_l, phi), sin(theta_v)); }
+
 vec3 shade(Surface s) {
     if (s.id == 1) return mix(background, palette[COLOUR_QUIET], 0.32 * (1.0 - smoothstep(0.7, 1.0, s.st.y)));
     if (s.id == 2) return palette[COLOUR_EXACT];
     vec3 l = tile_middle(s.st);
     if (dot(l, normalize(camera_position)) > 0.35) discard; // cut open towards the reader
-    vec3 to_sun = light_direction(theta_l, phi), v = view_direction(theta_v), light = vec3(1.0), weight = vec3(1.0);
+    vec3 to_sun = s.value.xyz, v = vec3(s.value.w, 0.0, sqrt(max(1.0 - s.value.w * s.value.w, 0.0)));
+    vec3 light = vec3(1.0), weight = vec3(1.0);
     if (layer == 0 || layer == 3) {
         float sky = sky_radiance(l, to_sun, 1.0, 0.0), sun = sky_radiance(l, to_sun, 0.0, sun_radiance);
         light = sky * BLUE + sun * WARM;
@@ -265,7 +262,7 @@ vec4 probe(int i) {
     return i == 1 ? vec4(1.3 * view_direction(theta_v), 1.0) : vec4(0.0, -0.3, -0.04, 1.0);
 }
 """,
-        surfaces=(Surface("sky", cells=(64, 12)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
+        surfaces=(Surface("sky", cells=(48, 8)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the sun", colour="l", tip="sun", label="sun"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("mirror of the eye", colour="r", line="dotted", tip="arrow"), Mark("horizon", colour="quiet", segments=96)),
@@ -726,15 +723,11 @@ bounds, and [swapping](?theta_l=60&theta_v=80) light and eye changes it. The cur
     scene=Scene(
         glsl="""
 #include "optics/highlight.glsl"
+#include "display/balls.glsl"
 #include "display/lobe.glsl"
 #include "display/look.glsl"
 uniform int model;
-uniform float theta_l;
-uniform float theta_v;
-uniform float phi;
-uniform float k_d;
-uniform float k_s;
-uniform float exponent;
+uniform float theta_l, theta_v, phi, k_d, k_s, exponent;
 
 const float TALL = 1.6;                      // the lobe for light from above
 const float LONGEST = 2.75;                  // where it is cut off
@@ -757,8 +750,10 @@ vec3 surface_point(int surface, vec2 s) {
         return d * min(length_along(d), LONGEST);
     }
     if (surface == 1) return vec3(1.6 * s.y * cos(2.0 * PI * s.x), 1.6 * s.y * sin(2.0 * PI * s.x), -0.01);
-    return BALL + 1.25 * sphere_point(s.x, s.y);
+    return cap_to_eye(s, BALL, 1.25);
 }
+
+vec4 surface_value(int surface, vec2 s) { return vec4(light_direction(theta_l, phi), 0.0); }
 
 vec3 shade(Surface s) {
     if (s.id == 0) {
@@ -767,7 +762,7 @@ vec3 shade(Surface s) {
         return mix(body, background, 0.35 * grid_lines(s.st, vec2(24.0, 12.0)));
     }
     if (s.id == 1) return mix(background, palette[COLOUR_QUIET], 0.28 + 0.25 * grid_lines(s.st, vec2(24.0, 4.0)));
-    vec3 n = normalize(s.position - BALL), l = light_direction(theta_l, phi);
+    vec3 n = ball_normal((s.position - BALL) / 1.25, s.v), l = s.value.xyz;
     float lit = max(dot(n, l), 0.0), gloss = model == 0 ? shading_phong(n, l, s.v, 0.0, k_s, exponent)
         : PI * lit * brdf_phong(n, l, s.v, 0.0, k_s, exponent);
     vec3 paint = vec3(0.85, 0.16, 0.10) * (k_d * lit + 0.02) + vec3(gloss);
@@ -791,8 +786,8 @@ vec4 probe(int i) {
     return vec4(2.5 * view_direction(theta_v), 1.0);
 }
 """,
-        surfaces=(Surface("lobe", cells=(72, 48), opacity=0.92), Surface("floor", cells=(96, 1)),
-                  Surface("ball", cells=(64, 48))),
+        surfaces=(Surface("lobe", cells=(48, 36), opacity=0.92), Surface("floor", cells=(96, 1)),
+                  Surface("ball", cells=(64, 3))),
         marks=(
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
             Mark("mirror", colour="r", line="dotted", tip="arrow", label="r"),
@@ -867,8 +862,7 @@ mirrors round spots, Blinn draws streaks. Every photo of a wet road at night has
         glsl="""
 #include "optics/blinn_phong.glsl"
 #include "display/palette.glsl"
-uniform float theta_v;
-uniform float exponent;
+uniform float theta_v, exponent;
 
 const float LAMP_DISTANCE = 30.0, LAMP_HEIGHT = 4.0; // of the nearest lamp, which mirrors at theta_v
 const float HALF_VIEW = 0.45;                        // tangent of half the field of view
@@ -878,7 +872,15 @@ const vec3 DRAWING = vec3(0.0, -0.1, 1.62);
 
 // The picture is a card; behind it a road along +y, mirrored at its middle. Left: Phong, right: Blinn. The drawing is above.
 vec3 surface_point(int surface, vec2 s) {
-    return vec3(4.4 * s.x - 2.2, 0.0, 4.4 * SHOWN * s.y - 2.2);
+    float top = 4.4 * SHOWN - 2.2, horizon = clamp(2.2 / HALF_VIEW * tan(0.5 * PI - theta_v - 0.064), -2.2, top);
+    if (surface == 0) return vec3(4.4 * s.x - 2.2, 0.0, mix(horizon, top, s.y));
+    return vec3(2.2 * (surface == 1 ? s.x - 1.0 : s.x), 0.0, mix(-2.2, horizon, s.y));
+}
+
+vec4 surface_value(int surface, vec2 s) { // height of the eye, exponent, exposure, tangent of how far it looks down
+    float tight = blinn_exponent(exponent), high = max(LAMP_DISTANCE / tan(theta_v) - LAMP_HEIGHT, 0.3), exposure = 1.3 / cos(theta_v);
+    if (surface == 2) exposure *= normalisation_blinn_phong(tight) / normalisation_phong(exponent);
+    return vec4(high, surface == 1 ? exponent : tight, exposure, tan(0.5 * PI - theta_v - 0.06));
 }
 
 float random(float x) { return fract(sin(x * 12.9898) * 43758.547); }
@@ -904,24 +906,21 @@ vec3 lamp_colour(int i) {
 }
 
 vec3 shade(Surface s) {
-    bool phong = s.st.x < 0.5;
-    float high = max(LAMP_DISTANCE / tan(theta_v) - LAMP_HEIGHT, 0.3), down = 0.5 * PI - theta_v - 0.06;
-    vec2 at = HALF_VIEW * vec2(abs(2.0 * s.st.x - 1.0), (2.0 * SHOWN * s.st.y - 1.0));
-    vec3 d = normalize(vec3(at.x, cos(down) + at.y * sin(down), at.y * cos(down) - sin(down)));
+    float high = s.value.x, down = s.value.w;
+    vec2 at = HALF_VIEW / 2.2 * vec2(abs(s.position.x), s.position.z);
+    vec3 d = normalize(vec3(at.x * sqrt(1.0 + down * down), 1.0 + at.y * down, at.y - down));
     vec3 eye = vec3(0.0, 0.0, high), glow = vec3(0.0);
     for (int i = 0; i < 3; i++) {
         vec3 to = lamp_position(i) - eye;
         float off = length(cross(d, to)) / 0.45;
         glow += lamp_colour(i) * (off < 1.0 && dot(d, to) > 0.0 ? 1.7 : 0.10 / (off * off + 1.0));
     }
-    if (d.z > -0.004) return min(city(d) + glow, 1.0);
-    vec3 p = eye - d * (high / d.z), n = vec3(0.0, 0.0, 1.0), light = vec3(0.0);
-    float tight = blinn_exponent(exponent), exposure = 1.3 / cos(theta_v);
-    if (!phong) exposure *= normalisation_blinn_phong(tight) / normalisation_phong(exponent);
+    if (s.id == 0) return min(city(d) + glow, 1.0);
+    vec3 p = eye - d * (high / min(d.z, -0.002)), n = vec3(0.0, 0.0, 1.0), light = vec3(0.0);
     for (int i = 0; i < 3; i++) {
         vec3 to = lamp_position(i) - p, l = normalize(to);
-        float lobe = phong ? lobe_phong(n, l, -d, exponent) : lobe_blinn(n, l, -d, tight);
-        light += lamp_colour(i) * (lobe * l.z * exposure);
+        float lobe = s.id == 1 ? lobe_phong(n, l, -d, s.value.y) : lobe_blinn(n, l, -d, s.value.y);
+        light += lamp_colour(i) * (lobe * l.z * s.value.z);
     }
     float far = length(p - eye), line = step(abs(p.x - 5.0), 0.10) + step(abs(p.x - 1.1), 0.06) * step(fract(p.y / 6.0), 0.5);
     light += vec3(0.10) * line / (1.0 + 0.02 * far) + vec3(0.006, 0.007, 0.010) + glow * 0.2;
@@ -947,7 +946,7 @@ vec4 probe(int i) {
     return vec4(i == 1 ? -1.8 : 1.8, -0.1, 1.44, 1.0);
 }
 """,
-        surfaces=(Surface("wet road", cells=(1, 1)),),
+        surfaces=(Surface("city", cells=(1, 1)), Surface("wet road, Phong", cells=(1, 1)), Surface("wet road, Blinn", cells=(1, 1))),
         marks=(
             Mark("middle", colour="quiet", line="dashed", width=0.7),
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
