@@ -618,14 +618,16 @@ vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, ball(), SIZE); }
 
 vec3 mesh_point(int surface, vec3 p) { return SIZE * p + 0.88 * aside() + 0.44 * up(); }
 
+vec4 surface_value(int surface, vec2 s) { return vec4(lamp(), 0.0); }
+
 vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
 
 vec3 factor(vec3 n, vec3 l, vec3 v) {
     float n_dot_l = dot(n, l), n_dot_v = dot(n, v);
     vec3 s = l + v, h = s / max(length(s), 1e-6), paint = rho * vec3(1.0, 0.30, 0.16);
     if (shows >= 6) {
-        vec3 w = shows == 6 ? n : h;
-        return pow(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), vec3(2.2));
+        vec3 w = shows == 6 ? n : h, c = 0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, v));
+        return c * (0.0125 + c * (0.6822 + c * 0.3053)); // about the power 2.2, which is dear on a CPU
     }
     if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint + f0) : 0.35 * background;
     if (shows == 2) return mix(0.15 * background, palette[COLOUR_G], g_vgroove(dot(n, h), n_dot_v, n_dot_l, dot(l, h)));
@@ -637,7 +639,7 @@ vec3 factor(vec3 n, vec3 l, vec3 v) {
 }
 
 vec3 shade(Surface s) {
-    vec3 v = eye(), l = lamp(), n;
+    vec3 v = eye(), l = s.id == 0 ? s.value.xyz : lamp(), n;
     if (s.id == 0) n = ball_normal((s.position - ball()) / SIZE, s.v);
     else n = normalize(s.value.xyz) * (dot(s.value.xyz, s.normal) < 0.0 ? -1.0 : 1.0);
     vec3 colour = factor(n, l, v);
@@ -658,7 +660,7 @@ vec4 probe(int i) {
     return vec4(ball() + SIZE * picked() + 0.95 * lamp(), 1.0);
 }
 """,
-        surfaces=(Surface("ball", cells=(60, 6)), Surface("object", mesh=True)),
+        surfaces=(Surface("ball", cells=(60, 3)), Surface("object", mesh=True)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
@@ -754,9 +756,10 @@ vec3 shade(Surface s) {
         light = seen(bumpy(n, n, across, down, bumps, bump_slope, false).xyz, m, v);
     } else {
         vec2 at = fract(gl_FragCoord.xy * vec2(0.754878, 0.569840) + 0.5 * gl_FragCoord.yx * vec2(0.618034, 0.324718));
+        Waves near = waves(n, across, down, bumps);
         for (int i = 0; i < samples; i++) {
             vec2 off = fract(at + float(i) * vec2(0.7548777, 0.5698403)) - 0.5;
-            light += seen(bumpy(n, n + off.x * across + off.y * down, across, down, bumps, bump_slope, false).xyz, m, v);
+            light += seen(bumpy_near(near, n, off, bump_slope), m, v);
         }
         light /= float(samples);
     }

@@ -23,3 +23,26 @@ vec4 bumpy(vec3 n, vec3 p, vec3 across, vec3 down, float bumps, float bump_slope
     slope -= n * dot(n, slope);
     return vec4(n - bump_slope * slope, bump_slope * bump_slope * hidden); // not of unit length
 }
+
+// The normal of the bumps, unfiltered, at a place that is `off` pixels from p. The phases of the waves are linear in it:
+// those at p and their steps per pixel are worked out once.
+struct Waves {
+    float at[6];
+    vec2 steps[6];
+};
+
+Waves waves(vec3 p, vec3 across, vec3 down, float bumps) {
+    Waves w;
+    for (int k = 0; k < 6; k++) {
+        float rate = 0.5 * bumps * RATE[k];
+        w.at[k] = fract(rate * dot(WAVE[k], p) + 0.37 * float(k));
+        w.steps[k] = rate * vec2(dot(WAVE[k], across), dot(WAVE[k], down));
+    }
+    return w;
+}
+
+vec3 bumpy_near(Waves w, vec3 n, vec2 off, float bump_slope) {
+    vec3 slope = vec3(0.0);
+    for (int k = 0; k < 6; k++) slope += WAVE[k] * sine_of_turns(w.at[k] + dot(w.steps[k], off));
+    return n - bump_slope * (slope - n * dot(n, slope));
+}
