@@ -262,7 +262,7 @@ vec4 probe(int i) {
     return i == 1 ? vec4(1.3 * view_direction(theta_v), 1.0) : vec4(0.0, -0.3, -0.04, 1.0);
 }
 """,
-        surfaces=(Surface("sky", cells=(48, 8)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
+        surfaces=(Surface("sky", cells=(48, 10)), Surface("floor", cells=(48, 1)), Surface("patch", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the sun", colour="l", tip="sun", label="sun"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("mirror of the eye", colour="r", line="dotted", tip="arrow"), Mark("horizon", colour="quiet", segments=96)),
@@ -336,26 +336,22 @@ A real lamp has some size and measures a mean; [open it](?half_angle=20), [close
 #include "optics/specimen.glsl"
 #include "display/lobe.glsl"
 #include "display/look.glsl"
-uniform float theta_l;
-uniform float theta_v;
-uniform float phi;
-uniform float exponent;
-uniform float half_angle;
+uniform float theta_l, theta_v, phi, exponent, half_angle;
 uniform int channel;
 
 const vec3 UP = vec3(0.0, 0.0, 1.0);
 const float K_S = 0.15;
 const float SCALE = 1.45; // metres per 1/sr
 
-float spread(vec3 d, int c) {
-    return brdf_paint(UP, light_direction(theta_l, phi), d, c, K_S, exponent);
-}
+float spread(vec3 l, vec3 d, int c) { return brdf_paint(UP, l, d, c, K_S, exponent); }
+
+vec4 surface_value(int surface, vec2 s) { return vec4(light_direction(theta_l, phi), 0.0); }
 
 vec3 surface_point(int surface, vec2 s) {
     vec3 l = light_direction(theta_l, phi);
     if (surface == 0) {
         vec3 d = lobe_direction(s, reflection_vector(UP, l), 0.25);
-        return SCALE * lobe_radius(spread(d, channel), 1.0, 0.0) * d;
+        return SCALE * lobe_radius(spread(l, d, channel), 1.0, 0.0) * d;
     }
     if (surface == 1) return SCALE * cap_point(0.5 * PI, s.x, s.y);
     if (surface == 2) return vec3(1.9 * (2.0 * s - 1.0) * vec2(1.0, 0.8), -0.012);
@@ -365,7 +361,7 @@ vec3 surface_point(int surface, vec2 s) {
 
 vec3 shade(Surface s) {
     if (s.id == 0) { // in the colour that the eye sees from there
-        vec3 d = normalize(s.position), f = vec3(spread(d, 0), spread(d, 1), spread(d, 2));
+        vec3 d = normalize(s.position), l = s.value.xyz, f = vec3(spread(l, d, 0), spread(l, d, 1), spread(l, d, 2));
         return soft_light(f / max(f.r, 1e-4), s.normal, s.v);
     }
     if (s.id == 1) return glass(s.st, vec2(24.0, 6.0));
@@ -380,14 +376,14 @@ vec3 mark_point(int mark, float t) {
     if (mark == 0) return vec3(0.0, 0.0, 1.95 * t);
     if (mark == 1) return 2.0 * t * light_direction(theta_l, phi);
     if (mark == 2) return 2.0 * t * view_direction(theta_v);
-    return SCALE * spread(view_direction(theta_v), channel) * t * view_direction(theta_v);
+    return SCALE * spread(light_direction(theta_l, phi), view_direction(theta_v), channel) * t * view_direction(theta_v);
 }
 
 vec4 probe(int i) {
     return vec4(2.0 * (i == 0 ? light_direction(theta_l, phi) : view_direction(theta_v)), 1.0);
 }
 """,
-        surfaces=(Surface("lobe", cells=(40, 24)), Surface("f = 1", cells=(48, 12), opacity=0.14),
+        surfaces=(Surface("lobe", cells=(40, 20)), Surface("f = 1", cells=(48, 12), opacity=0.14),
                   Surface("wood", cells=(1, 1)),
                   Surface("beam", cells=(32, 1), opacity=0.45)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the lamp", colour="l", tip="sun", label="ωi"),
@@ -589,9 +585,9 @@ A surface that keeps some has $f_d = \rho/\pi$, with the **albedo** $\rho$: [sno
         glsl="""
 #include "optics/spherical.glsl"
 #include "optics/lambert.glsl"
+#include "display/balls.glsl"
 #include "display/look.glsl"
-uniform float half_angle;
-uniform float rho;
+uniform float half_angle, rho;
 uniform int tile_rows;
 
 const float LIFT = 0.75;                    // of the dome over its floor
@@ -607,7 +603,7 @@ vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return d + vec3(0.0, 0.0, LIFT);
     if (surface == 1) return vec3(d.xy, 0.004);
     if (surface == 2) return vec3(cap_point(0.5 * PI, s.x, s.y).xy * (1.0 + 0.02 * s.y), 0.0);
-    if (surface == 3) return CHALK + 0.42 * sphere_point(s.x, s.y);
+    if (surface == 3) return cap_to_eye(s, CHALK, 0.42);
     return cap_point(0.5 * PI, s.x, s.y) + vec3(0.0, 0.0, LIFT);
 }
 
@@ -621,7 +617,7 @@ vec3 shade(Surface s) {
     if (s.id == 1) return mix(palette[COLOUR_V] * (0.45 + 0.55 * c), background, 0.75 * line);
     if (s.id == 2) return mix(background, palette[COLOUR_QUIET], 0.3);
     if (s.id == 3) { // radiance pi f cos, with a lamp that gives a facing white ball radiance 1
-        vec3 n = normalize(s.position - CHALK);
+        vec3 n = ball_normal((s.position - CHALK) / 0.42, s.v);
         return vec3(PI * brdf_lambert(n, LAMP, s.v, rho) * max(dot(n, LAMP), 0.0) + 0.03 * rho);
     }
     return glass(s.st, tiles);
@@ -644,7 +640,7 @@ vec4 probe(int i) {
 }
 """,
         surfaces=(Surface("tiles", cells=(64, 12), opacity=0.86), Surface("dropped tiles", cells=(64, 12)),
-                  Surface("floor", cells=(64, 1)), Surface("chalk", cells=(32, 16)),
+                  Surface("floor", cells=(64, 1)), Surface("chalk", cells=(40, 3)),
                   Surface("dome", cells=(48, 12), opacity=0.16)),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("rim", colour="l", segments=96, width=1.5),
                Mark("dropped rim", colour="v", segments=96), Mark("edge", colour="quiet", segments=96),
