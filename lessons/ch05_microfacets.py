@@ -571,11 +571,7 @@ brighter than the furnace.
 #include "display/balls.glsl"
 #include "display/furnace.glsl"
 #include "display/palette.glsl"
-uniform float theta_l;
-uniform float theta_v;
-uniform float phi;
-uniform float m;
-uniform float f0;
+uniform float theta_l, theta_v, phi, m, f0;
 uniform int prefactor;
 
 const float LARGE = 1.62;
@@ -600,13 +596,15 @@ vec3 surface_point(int surface, vec2 s) {
     return cap_to_eye(s, ball_centre(surface), surface == 0 ? LARGE : SMALL);
 }
 
+vec4 surface_value(int surface, vec2 s) { return vec4(light(), 0.0); }
+
 vec3 shade(Surface s) {
     float scale = prefactor == 1 ? 4.0 / PI : 1.0;
     if (s.id == 5) return vec3(0.42);
-    vec3 n = normalize(s.position - ball_centre(s.id));
+    vec3 n = ball_normal((s.position - ball_centre(s.id)) / (s.id == 0 ? LARGE : SMALL), s.v);
     float n_dot_v = max(dot(n, s.v), 1e-3);
     if (s.id == 4) return vec3(0.42 * scale * furnace_beckmann(n_dot_v, m));
-    vec3 l = light(), both = l + s.v, h = both / max(length(both), 1e-6);
+    vec3 l = s.value.xyz, both = l + s.v, h = both / max(length(both), 1e-6);
     float n_dot_l = dot(n, l), l_dot_h = 0.5 * length(both);
     vec3 shadow = palette[COLOUR_QUIET] * (0.02 + 0.06 * n_dot_v); // to be seen, no light
     if (n_dot_l <= 0.0) return shadow;
@@ -632,8 +630,8 @@ vec4 probe(int i) {
     return vec4(ball_centre(i - 1) + vec3(i == 5 ? -1.3 : -0.78, 0.0, 0.0), 1.0);
 }
 """,
-        surfaces=(Surface("ball", cells=(64, 10)), *(Surface(name, cells=(40, 8)) for name in "DGF"),
-                  Surface("in the furnace", cells=(40, 8)), Surface("furnace", cells=(1, 1))),
+        surfaces=(Surface("ball", cells=(64, 3)), *(Surface(name, cells=(40, 3)) for name in "DGF"),
+                  Surface("in the furnace", cells=(40, 3)), Surface("furnace", cells=(1, 1))),
         marks=(
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
             Mark("to the eye", colour="v", tip="eye", label="v"), Mark("halfway", colour="h", line="dashed", tip="arrow", label="h"),
@@ -995,8 +993,7 @@ For small $m$ both halves agree. For [rough ones](?m=0.8) Beckmann bends: the se
 #include "optics/ndf.glsl"
 #include "display/balls.glsl"
 #include "display/palette.glsl"
-uniform float m;
-uniform float theta_l;
+uniform float m, theta_l;
 uniform int exposed;
 
 const vec3 MIDDLE = vec3(0.0, 0.0, 0.85); // of the large ball, number 0
@@ -1018,9 +1015,13 @@ vec3 surface_point(int surface, vec2 s) {
     return cap_to_eye(s, centre(surface), size(surface));
 }
 
+vec4 surface_value(int surface, vec2 s) { // to the light; the width: 0.08 to 0.8
+    return vec4(light(), surface == 0 ? m : 0.08 * exp(0.5756 * float(surface - 1)));
+}
+
 vec3 shade(Surface s) {
-    vec3 n = (s.position - centre(s.id)) / size(s.id), l = light(), h = l + s.v;
-    float width = s.id == 0 ? m : 0.08 * exp(0.5756 * float(s.id - 1)), n_dot_l = max(dot(n, l), 0.0); // 0.08 to 0.8
+    vec3 n = ball_normal((s.position - centre(s.id)) / size(s.id), s.v), l = s.value.xyz, h = l + s.v;
+    float width = s.value.w, n_dot_l = max(dot(n, l), 0.0);
     float peak = exposed == 1 ? 1.0 / (PI * 0.3 * 0.3) : 1.0 / (PI * width * width);
     float d = s.id == 0 && n.x > 0.0 ? d_blinn_phong(n, h, exponent_from_m(width)) : d_beckmann(n, h, width);
     return vec3(1.0, 0.93, 0.80) * (n_dot_l * d / peak) + palette[COLOUR_QUIET] * (0.02 + 0.06 * max(dot(n, s.v), 0.0));
@@ -1038,7 +1039,7 @@ vec4 probe(int i) {
     return vec4(centre(i - 2) + vec3(0.0, 0.0, -0.78), 1.0);
 }
 """,
-        surfaces=tuple(Surface(f"ball {i}", cells=(40, 8) if i else (64, 10)) for i in range(6)),
+        surfaces=tuple(Surface(f"ball {i}", cells=(40, 3) if i else (64, 3)) for i in range(6)),
         marks=(Mark("seam", colour="quiet", segments=48), Mark("to the light", colour="l", tip="sun", label="l")),
         labels=(Label("Beckmann", 1, "d"), Label("cosine lobe", 2, "printed"),
                 *(Label(m, i + 3) for i, m in enumerate(("m = 0.08", "0.14", "0.25", "0.45", "0.8")))),
