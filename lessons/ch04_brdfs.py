@@ -204,7 +204,7 @@ Look at the three factors one by one: the [incoming light](?layer=0), the [BRDF]
 well, and the [cosine](?layer=2). Only their [product](?layer=3) counts: a tile matters if all three agree.
 
 Grab $\colour{l}{\text{the sun}}$, grab $\colour{v}{\text{the eye}}$. Let [the eye meet the mirrored sun](?theta_v=55&phi=180&theta_l=55).
-Take [fewer tiles](?tile_rows=3): the sun slips between their middles.
+With [fewer tiles](?tile_rows=3&theta_v=55&phi=180&theta_l=55) it slips between their middles.
 """,
     scene=Scene(
         glsl="""
@@ -719,8 +719,8 @@ $$L_o = \left(k_d\,\colour{n}{n}\cdot\colour{l}{l} + k_s\,(\colour{r}{r}\cdot\co
 
 Try [wide](?exponent=5), [tight](?exponent=200). The body shows $f = L_o/(L_i\,n\cdot l)$, the BRDF behind the formula.
 
-Now [low light](?theta_l=80). The highlight was printed without $n\cdot l$, so $f$ grows as $1/(n\cdot l)$, beyond all
-bounds, and [swapping](?theta_l=20&theta_v=70&phi=160) light and eye changes it. The cure puts the cosine back:
+Now [low light](?theta_l=80&theta_v=80). The highlight was printed without $n\cdot l$, so $f$ grows as $1/(n\cdot l)$, beyond all
+bounds, and [swapping](?theta_l=60&theta_v=80) light and eye changes it. The cure puts the cosine back:
 [as a BRDF](?model=1), $k_d/\pi + k_s\frac{n+2}{2\pi}(r\cdot v)^n$.
 """,
     scene=Scene(

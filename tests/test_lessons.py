@@ -160,6 +160,31 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     assert len(colours) > 20, "the picture is nearly of one colour"
 
 
+def test_phong_s_links_show_what_they_promise():
+    """As printed: f grows beyond 1 in low light, and another f for light and eye swapped."""
+    from app.optics import twin
+
+    found = catalog.step("brdfs/phong")
+    at = {link.words: defaults(found) | parse_query(link.target[1:], found)[0] for link in prose.links(found.step.prose)}
+    f = twin("highlight_brdf")
+    low, swap = at["low light"], at["swapping"]
+    assert f(**low) > 5 * f(**defaults(found))
+    assert f(**swap | {"theta_l": swap["theta_v"], "theta_v": swap["theta_l"]}) > 2 * f(**swap)
+
+
+@pytest.mark.parametrize("agree", [False, True])
+def test_a_crease_is_a_line_even_where_light_and_eye_agree(agree, ctx):
+    """Masking and shadowing are then the same all over, and not a crease all over."""
+    found = catalog.step("geometry_term/combined")
+    values = defaults(found) | ({"theta_l": 1.2, "theta_v": 1.2, "phi": 0.0} if agree else {})
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), None)
+    stage.draw(values, found.step.scene.camera, (256, 256), THEMES["dark"])
+    pixels = stage.pixels().reshape(-1, 3).astype(int)
+    stage.release()
+    white = np.mean(np.all(pixels > 225, axis=1))
+    assert 0.002 < white < 0.05
+
+
 UNDER_SKY = {"zenith_radiance": 1.0, "sun_radiance": 25.0, "k_d": 0.2, "k_s": 0.7, "exponent": 40.0}
 PLATE = {"model": 1, "theta_l": math.radians(70), "theta_v": math.radians(40), "phi": math.pi, "k_d": 0.6, "k_s": 0.3,
          "exponent": 20.0}
@@ -255,7 +280,8 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"theta_l": math.radians(80), "theta_v": math.radians(80), "phi": math.radians(170)}),
     ("brdfs/blinn", "turns half as far as the eye; aside", math.radians(5), 1e-12, "halfway_angle",
      {"theta_l": math.radians(80), "theta_v": math.radians(70), "phi": math.pi}),
-    ("brdfs/blinn", "5.8 times as long as wide: 1/cos 80°", 5.8, 0.05, "highlight_stretch", {"theta_v": math.radians(80)}),
+    ("brdfs/blinn", "5.8 times as long as wide: 1/cos 80°", 5.8, 0.05, "highlight_stretch",
+     {"theta_v": math.radians(80)}),
     ("brdfs/normalisation", "[exponent 5](?exponent=5&k_s=1) gives twice", 2.0, 0.1, "lobe_flux_blinn",
      {"theta_v": 0.0, "exponent": 5.0}),
     ("brdfs/normalisation", "a fortieth", 1 / 40, 1e-4, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 1000.0}),
@@ -352,6 +378,19 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
     ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
      {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("plausible_shading/board", "7.0 times. D and G", 7.0, 0.05, "mirror_gain", {"theta": math.pi / 3, "f0": 0.04}),
+    ("plausible_shading/scale", "this one evaluation misses 2 %", 0.02, 0.005, "filter_error",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "random places need 12 000", 12_000, 500, "samples_worth",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "give D = 3.60 in the middle", 3.60, 0.005, "d_bumps", {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "forgotten bumps 31.8", 31.8, 0.05, "d_unfiltered", {"theta_h": 0.0, "m": 0.1}),
+    ("plausible_shading/scale", "Toksvig 4.08", 4.08, 0.005, "d_toksvig",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "m_eff 3.54", 3.54, 0.005, "d_filtered",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/texturing", "0.5 becomes 0.21", 0.21, 0.005, "srgb_to_linear", {"encoded": 0.5}),
+    ("plausible_shading/texturing", "grows 5.5 times", 5.5, 0.05, "peak_gain", {"encoded": 0.5}),
     ("plausible_shading/compare", "20 times. The mirror's", 20, 0.5, "gain_cook_torrance",
      {"theta_d": math.radians(75), "material": 2, "channel": 0}),
     ("plausible_shading/compare", "from 0.05 to 0.27", 0.27, 0.005, "material_share",
