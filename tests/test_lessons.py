@@ -167,6 +167,8 @@ def test_phong_s_links_show_what_they_promise():
     found = catalog.step("brdfs/phong")
     links = prose.links(found.step.prose)
     at = {link.words: defaults(found) | parse_query(link.target[1:], found)[0] for link in links}
+    at = {link.words: defaults(found) | parse_query(link.target[1:], found)[0]
+          for link in prose.links(found.step.prose)}
     f = twin("highlight_brdf")
     low, swap = at["low light"], at["swapping"]
     assert f(**low) > 5 * f(**defaults(found))
@@ -379,6 +381,19 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
     ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
      {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("plausible_shading/board", "7.0 times. D and G", 7.0, 0.05, "mirror_gain", {"theta": math.pi / 3, "f0": 0.04}),
+    ("plausible_shading/scale", "this one evaluation misses 2 %", 0.02, 0.005, "filter_error",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "random places need 12 000", 12_000, 500, "samples_worth",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "give D = 3.60 in the middle", 3.60, 0.005, "d_bumps", {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "forgotten bumps 31.8", 31.8, 0.05, "d_unfiltered", {"theta_h": 0.0, "m": 0.1}),
+    ("plausible_shading/scale", "Toksvig 4.08", 4.08, 0.005, "d_toksvig",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "m_eff 3.54", 3.54, 0.005, "d_filtered",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/texturing", "0.5 becomes 0.21", 0.21, 0.005, "srgb_to_linear", {"encoded": 0.5}),
+    ("plausible_shading/texturing", "grows 5.5 times", 5.5, 0.05, "peak_gain", {"encoded": 0.5}),
     ("plausible_shading/compare", "20 times. The mirror's", 20, 0.5, "gain_cook_torrance",
      {"theta_d": math.radians(75), "material": 2, "channel": 0}),
     ("plausible_shading/compare", "from 0.05 to 0.27", 0.27, 0.005, "material_share",
