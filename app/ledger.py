@@ -4,6 +4,7 @@ pint checks that the factor's unit makes the one unit into the other. It counts 
 here (by its own rules sr is 1, and a lumen would be a candela).
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -81,7 +82,8 @@ def lines(column: tuple[LedgerRow, ...], values: dict) -> list[Line]:
     for row in column:
         value = float(evaluate(row.term, values))
         before = found[-1].value if found else 0.0
-        found.append(Line(row.label, value, row.unit, value / before if before else None, row.by, row.how))
+        factor = value / before if before else math.nan
+        found.append(Line(row.label, value, row.unit, factor if math.isfinite(factor) else None, row.by, row.how))
     return found
 
 

@@ -39,8 +39,8 @@ AROUND = 64  # faces around a corner that are looked at
 
 
 def corner_normals(triangles: np.ndarray) -> np.ndarray:
-    """(F, 3, 3) a unit normal for each corner of each face: the mean of the faces there that are about as steep, each by
-    its area. A face without area has +z."""
+    """(F, 3, 3) a unit normal for each corner of each face: the mean of the faces there that are about as
+    steep, each by its area. A face without area has +z."""
     flat = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     size = np.linalg.norm(flat, axis=-1, keepdims=True)
     unit = np.where(size > 0, flat / np.where(size > 0, size, 1), [0.0, 0.0, 1.0])

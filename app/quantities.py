@@ -233,8 +233,12 @@ TABLE: dict[str, Quantity] = {
     "tangent": Quantity(r"\tan\theta_v", "", 0.0, 20.0, 1.0, "tangent of the eye's angle", (0.0, 1e7)),
     "geometry": Quantity("G", "", 0, 3, 1, "which geometry term: none, V-groove, Smith, Smith correlated", kind="int"),
     "shows": Quantity("k", "", 0, 9, 0, "what the picture shows", kind="int"),
+    "map_s": Quantity("s", "", 0.0, 1.0, 0.5, "place on the map, from the left"),
+    "map_t": Quantity("t", "", 0.0, 1.0, 0.5, "place on the map, from the front"),
+    "map_layers": Quantity("k", "", 0, 4, 4, "how many of the maps are on", kind="int"),
+    "map_trap": Quantity("k", "", 0, 3, 0, "which map is read wrongly", kind="int"),
     # bumps, from near and from afar
-    "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "slope of the bumps along one axis, RMS", extreme=(1e-3, 1.0)),
+    "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("N", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
     # plausible shading
     "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),

@@ -17,7 +17,6 @@ from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
-from app.optics.solid_angle_flat import _dot, _fan
 from app.optics.scale_effect import _variances
 from app.optics.solid_angle_flat import _dot, _fan
 from app.optics.spherical import direction
@@ -241,9 +240,19 @@ def _worth_terms(m, bump_slope):
     return 2 * twin("samples_worth")(m, bump_slope) * (either + moved("filter_error", args) / one)
 
 
+def _stored_terms(power, function, map_s, map_t):
+    """The roughness of a map is rounded, then decoded: what a power of 2.4 makes of that, `power` times."""
+    return power * 3.4 * twin(function)(map_s, map_t)
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "aliasing_error": _bump_terms,
+    # a power of 2.4 is rounded before it divides: its condition number cancels in the quotient
+    "srgb_gap": lambda encoded: 3.4 * twin("srgb_gap")(encoded),
+    "peak_gain": lambda encoded: 6.8 * twin("peak_gain")(encoded),
+    "roughness_as_srgb": partial(_stored_terms, 1, "roughness_as_srgb"),
+    "peak_gain_at": partial(_stored_terms, 2, "peak_gain_at"),
     "sampling_error": lambda samples, m, bump_slope: _bump_terms(m, bump_slope) / np.sqrt(samples),
     "samples_worth": _worth_terms,
     "halfway_cosine": _halfway_terms,

@@ -955,7 +955,8 @@ $\pi$ is the cosine's doing, as in chapter 2. $A$ is what radiates: one side of 
 Which of the three is given decides what a resize means. Give the flux: [wide](?given=0&amount=60&panel_width=1.6) or
 [small](?given=0&amount=60&panel_width=0.3), the far floor hardly notices, but the small one dazzles. Give the radiance:
 [wide](?given=2&amount=20&panel_width=1.6) or [small](?given=2&amount=20&panel_width=0.3), it looks the same and its floor goes
-dark. A [sphere](?light_shape=2) shares its flux among four times a disk's area.
+dark. [No area](?given=0&amount=60&panel_width=0) at all has no radiance: a point light. A [sphere](?light_shape=2) shares its flux
+among four times a disk's area.
 """,
     scene=Scene(
         glsl="""
@@ -977,6 +978,7 @@ float radiance() {
 }
 
 float shown_value(vec3 p) {
+    if (panel_width * panel_depth == 0.0) return 0.0; // without an area there is no radiance: the floor stays dark
     return irradiance_light(light_shape, radiance(), light_x, light_y, light_height, panel_width, panel_depth, panel_tilt, p);
 }
 
@@ -1021,7 +1023,7 @@ vec4 probe(int i) {
         Readout("flux", Term("light_flux"), unit="W"),
         Readout("exitance", Term("light_exitance"), unit="W/m²"),
         Readout("radiance", Term("light_radiance"), unit="W/(m² sr)"),
-        Readout("floor below", Term("light_irradiance_below"), role="exact", unit="W/m²"),
+        Readout("floor below", Term("light_irradiance_below"), role="exact", unit="W/m²", absent="no area, no number"),
     ),
     ask=Prediction(
         question="A panel of half a square metre radiates 50 W. What is its radiance?",
@@ -1043,7 +1045,7 @@ directions. 4 minutes.
     honesty="Exact for lights that look alike from everywhere (Lambert); real panels often do not. The lamp's colour only hints at "
             "its radiance. The disk always looks down.",
     values=(Value("given", 0, choices=("flux", "exitance", "radiance")), Value("amount", 60.0, low=1.0),
-            Value("light_shape", 0, choices=SHAPES), Value("panel_width", 1.0, low=0.1, high=2.0),
+            Value("light_shape", 0, choices=SHAPES), Value("panel_width", 1.0, low=0.0, high=2.0, scale="linear"),
             Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),

@@ -31,6 +31,7 @@ from app.lesson import (
 EQUATION = "BRDF – The Reflectance Equation ({})".format
 BRDF = "The BRDF ({})".format
 UP = (0.0, 0.0, 1.0)
+PI = 3.141592653589793
 BROKEN = {"k_d": 0.6, "k_s": 0.3}
 UNDER_SKY = {"k_d": 0.2, "zenith_radiance": 1.0}
 
@@ -167,8 +168,7 @@ vec4 probe(int i) {
         Readout("absorbed", Term("irradiance_absorbed"), unit="W/m²"),
     ),
     ask=Prediction(
-        question="100 W/m² arrive. A fifth is reflected, half of it is scattered, and nothing shines through. How much leaves "
-                 "the patch?",
+        question="100 W/m² arrive: 20 % are reflected, 50 % scattered, and nothing shines through. How much leaves the patch?",
         truth=Term("exitance_leaving", {"k_s": 0.2, "k_d": 0.5, "irradiance_facing": 100.0, "theta_l": 0.0}),
         unit="W/m²", low=0.0, high=100.0,
         sets={"k_s": 0.2, "k_d": 0.5, "theta_l": 0.0},
@@ -204,7 +204,7 @@ Look at the three factors one by one: the [incoming light](?layer=0), the [BRDF]
 well, and the [cosine](?layer=2). Only their [product](?layer=3) counts: a tile matters if all three agree.
 
 Grab $\colour{l}{\text{the sun}}$, grab $\colour{v}{\text{the eye}}$. Let [the eye meet the mirrored sun](?theta_v=55&phi=180&theta_l=55).
-Take [fewer tiles](?tile_rows=3): the sun slips between their middles.
+With [fewer tiles](?tile_rows=3&theta_v=55&phi=180&theta_l=55) it slips between their middles.
 """,
     scene=Scene(
         glsl="""
@@ -287,15 +287,15 @@ vec4 probe(int i) {
         Readout("from the sun", Term("sun_share", UNDER_SKY), unit="of it"),
     ),
     ask=Prediction(
-        question="A low sun, 80° from the normal, is 25 times as bright as the blue overhead. The eye looks from 30°, aside. "
+        question="A low sun, 80° from the normal, has 25 times the radiance of the blue overhead. The eye looks from 30°, aside. "
                  "Which part of the sky matters most to it?",
         truth=Term("sun_share", UNDER_SKY),
         unit="of the light is the sun's",
         choices=(Choice("the sun, by far", 0.5, 1.0), Choice("the sun and the blue, about half each", 0.3, 0.5),
                  Choice("the blue where the eye is mirrored", 0.0, 0.3)),
         sets={"theta_l": 80.0, "phi": 90.0, "theta_v": 30.0, "sun_radiance": 25.0, "k_s": 0.7, "exponent": 40.0},
-        told="The blue. The sun gives 0.03 of it: it is bright, but low (cosine 0.17), and this eye's BRDF looks elsewhere. Seven "
-             "tenths come from the small blue spot where the eye is mirrored.",
+        told="The blue. The sun gives 0.03 of it: it is strong, but low (cosine 0.17), and this eye's BRDF looks elsewhere. Seven "
+             "tenths come by the highlight, from the small blue spot where the eye is mirrored.",
     ),
     notes="""
 Go through the layers in order and let the class say where the product will be bright before it is shown. The common
@@ -542,14 +542,14 @@ vec4 probe(int i) {
     ),
     models=(Model("this surface", Term("brdf_flawed", BROKEN)),),
     ask=Prediction(
-        question="A glossy plate, lamp at 70°, camera at 40°: its BRDF there is 0.25 per steradian. Lamp and camera change "
-                 "places. What is it now?",
-        truth=Term("ratio_flawed", BROKEN | {"l": "v", "v": "l"}),
+        question="A glossy plate, lamp at 70°, camera at 40°. In the photograph its radiance is 0.086 per unit of the lamp's "
+                 "light. Lamp and camera change places. And now?",
+        truth=Term("highlight_share", {"model": 1, "theta_l": "theta_v", "theta_v": "theta_l", "k_d": 0.6, "k_s": 0.3}),
         unit="1/sr",
-        choices=(Choice("less", 0.0, 0.245), Choice("the same", 0.245, 0.255), Choice("more", 0.255, 10.0)),
+        choices=(Choice("less", 0.0, 0.085), Choice("the same: f(l,v) = f(v,l)", 0.085, 0.087), Choice("more", 0.087, 10.0)),
         sets={"flaw": 0, "theta_l": 70.0, "theta_v": 40.0, "phi": 180.0, "exponent": 20.0, "radiance": 1.0},
-        told="The same: light finds its way back. The photograph does get brighter, for the lamp now stands higher; that is the "
-             "cosine's doing, and the cosine is no part of f.",
+        told="More: 0.19, over twice as much. f is 0.25 both ways, but the lamp now stands higher, and its light is spread over "
+             "less of the plate. That is the cosine's doing, and the cosine is no part of f.",
     ),
     notes="""
 Five flaws, five badges, and each breaks one only: let the class name the rule before the badge is read. "One way" is the most
@@ -562,7 +562,7 @@ Then the slide's integral: white paper, f = 1/π, gives 2 without the cosine. No
     honesty="The surface is made up, k_d = 0.6 and k_s = 0.3. The integrals are exact to ten digits, to three where the clamp "
             "cuts. A badge is a search: it tries some thousand pairs of directions, and can miss a flaw between them.",
     values=(Value("flaw", 0, choices=("sound", "below zero", "one way", "too much", "clamped", "no number")),
-            Value("theta_l", 65.0, low=0.0, high=88.0), Value("theta_v", 22.0, low=0.0, high=88.0),
+            Value("theta_l", 65.0, low=0.0, high=88.0), Value("theta_v", 45.0, low=0.0, high=88.0),
             Value("radiance", 1.0, low=0.1, high=100.0), Value("exponent", 20.0, low=5.0, high=60.0, more=True),
             Value("phi", 180.0, more=True)),
     minutes=6,
@@ -672,17 +672,20 @@ vec4 probe(int i) {
     ),
     models=(Model("matt", Term("brdf_lambert")),),
     ask=Prediction(
-        question="A white, matt surface sends back all it gets, evenly. Its BRDF is one number. Which?",
-        truth=Term("brdf_lambert", {"n": UP, "l": UP, "v": UP, "rho": 1.0}),
-        unit="1/sr",
-        choices=(Choice("1: it sends back everything", 0.9, 1.1), Choice("1/π: the floor of the dome", 0.3, 0.34),
-                 Choice("1/2π: there are 2π sr of sky", 0.15, 0.17)),
-        sets={"rho": 0.95, "half_angle": 90.0},
-        told="1/π = 0.318. Light at a slant is spread over more floor, so 2π steradians of sky count as π only.",
+        question="The cap up to 60° from the normal is half of the sky: π of its 2π steradians. Dropped, how much of the floor's π "
+                 "does it cover?",
+        truth=Term("projected_solid_angle_cone", {"half_angle": PI / 3}),
+        unit="sr",
+        choices=(Choice("half of it: 1.57", 1.5, 1.6), Choice("three quarters: 2.36", 2.3, 2.4),
+                 Choice("all of it: 3.14", 3.1, 3.2)),
+        sets={"half_angle": 60.0},
+        told="Three quarters: π sin² 60°. The other half of the sky, low down, has the last quarter: its light comes at a "
+             "slant and is spread thin. So 2π steradians of sky count as π only.",
     ),
     notes="""
-The π of every diffuse shader, and half of all renderers have lost it once. Let the class vote first; 1/2π is the clever wrong
-answer: it divides by the sky and forgets that the floor does not see all of it alike. Then drop the tiles. Six rows give
+The π of every diffuse shader, lost in many a renderer. Let the class vote on the constant before this page is up: 1, 1/π or
+1/2π? The last is the clever wrong answer: it divides by the sky and forgets that the floor does not see all of it alike. Then
+drop the tiles; the usual wrong answer to the question is half. Six rows give
 π to one percent, because the cosine is taken in a tile's middle; twelve rows to a quarter of that. Ask for the albedo of fresh
 snow, 0.9, of charcoal, 0.04, and why a grey card is 18 %: it looks half as bright. 5 minutes.
 """,
@@ -695,7 +698,6 @@ snow, 0.9, of charcoal, 0.04, and why a grey card is 18 %: it looks half as brig
 )
 
 # --- highlights: Phong, Blinn, and what they lack ---------------------------------------------------------------------
-PI = 3.141592653589793
 HIGHLIGHTS = ("Phong, as printed", "Phong, as a BRDF", "Blinn, as printed", "Blinn, as a BRDF")
 SWAPPED = {"theta_l": "theta_v", "theta_v": "theta_l"}
 
@@ -717,8 +719,8 @@ $$L_o = \left(k_d\,\colour{n}{n}\cdot\colour{l}{l} + k_s\,(\colour{r}{r}\cdot\co
 
 Try [wide](?exponent=5), [tight](?exponent=200). The body shows $f = L_o/(L_i\,n\cdot l)$, the BRDF behind the formula.
 
-Now [low light](?theta_l=80). The highlight was printed without $n\cdot l$, so $f$ grows as $1/(n\cdot l)$, beyond all
-bounds, and [swapping](?theta_l=20&theta_v=70&phi=160) light and eye changes it. The cure puts the cosine back:
+Now [low light](?theta_l=80&theta_v=80). The highlight was printed without $n\cdot l$, so $f$ grows as $1/(n\cdot l)$, beyond all
+bounds, and [swapping](?theta_l=60&theta_v=80) light and eye changes it. The cure puts the cosine back:
 [as a BRDF](?model=1), $k_d/\pi + k_s\frac{n+2}{2\pi}(r\cdot v)^n$.
 """,
     scene=Scene(
@@ -857,7 +859,7 @@ k_s\,(\colour{n}{n}\cdot\colour{h}{h})^{n'}$$
 So $(n\cdot h)$ asks how far the facets must tilt. Move the eye by an angle: $\colour{r}{r}$ is off by all of it,
 $\colour{h}{h}$ by half. For equal width Blinn's exponent is four times Phong's, and the two halves of the picture have that.
 
-Out of the plane it is different. Stand [high over the road](?theta_v=50&theta_l=50): nearly alike. Now [at eye level](?theta_v=80&theta_l=80): Phong
+Out of the plane it is different. [High over the road](?theta_v=50&theta_l=50) they are still alike. Now [at eye level](?theta_v=80&theta_l=80): Phong
 mirrors round spots, Blinn draws streaks. Every photo of a wet road at night has streaks. Try a
 [smoother film](?exponent=600), a [drier road](?exponent=25).
 """,
@@ -871,16 +873,15 @@ uniform float exponent;
 const float LAMP_DISTANCE = 30.0, LAMP_HEIGHT = 4.0; // of the nearest lamp, which mirrors at theta_v
 const float HALF_VIEW = 0.45;                        // tangent of half the field of view
 const float OFF = 0.35;                              // how far the drawn eye is off the mirror direction
-const vec3 DRAWING = vec3(0.0, -0.1, 1.2);
+const float SHOWN = 0.78;                            // of the view, from below: a strip of night is left out
+const vec3 DRAWING = vec3(0.0, -0.1, 1.62);
 
-// The picture is a card; behind it a road along +y, mirrored at its middle. Left: Phong, right: Blinn.
+// The picture is a card; behind it a road along +y, mirrored at its middle. Left: Phong, right: Blinn. The drawing is above.
 vec3 surface_point(int surface, vec2 s) {
-    return vec3(4.4 * s.x - 2.2, 0.0, 4.4 * s.y - 2.2);
+    return vec3(4.4 * s.x - 2.2, 0.0, 4.4 * SHOWN * s.y - 2.2);
 }
 
-float random(float x) {
-    return fract(sin(x * 12.9898) * 43758.547);
-}
+float random(float x) { return fract(sin(x * 12.9898) * 43758.547); }
 
 vec3 city(vec3 d) {
     float a = 26.0 * abs(d.x) / d.y + 3.0, up = 26.0 * d.z / d.y, block = floor(a);
@@ -905,7 +906,7 @@ vec3 lamp_colour(int i) {
 vec3 shade(Surface s) {
     bool phong = s.st.x < 0.5;
     float high = max(LAMP_DISTANCE / tan(theta_v) - LAMP_HEIGHT, 0.3), down = 0.5 * PI - theta_v - 0.06;
-    vec2 at = HALF_VIEW * vec2(abs(2.0 * s.st.x - 1.0), (2.0 * s.st.y - 1.0));
+    vec2 at = HALF_VIEW * vec2(abs(2.0 * s.st.x - 1.0), (2.0 * SHOWN * s.st.y - 1.0));
     vec3 d = normalize(vec3(at.x, cos(down) + at.y * sin(down), at.y * cos(down) - sin(down)));
     vec3 eye = vec3(0.0, 0.0, high), glow = vec3(0.0);
     for (int i = 0; i < 3; i++) {
@@ -927,12 +928,10 @@ vec3 shade(Surface s) {
     return light / (1.0 + light);
 }
 
-vec3 drawn(float angle) {
-    return vec3(sin(angle), 0.0, cos(angle));
-}
+vec3 drawn(float angle) { return vec3(sin(angle), 0.0, cos(angle)); }
 
 vec3 mark_point(int mark, float t) {
-    if (mark == 0) return vec3(0.0, -0.05, 4.4 * t - 2.2);
+    if (mark == 0) return vec3(0.0, -0.05, 4.4 * SHOWN * t - 2.2);
     if (mark == 1) return DRAWING + 0.62 * t * drawn(0.0);
     if (mark == 2) return DRAWING + 1.25 * t * drawn(-theta_v);
     if (mark == 3) return DRAWING + 1.25 * t * drawn(theta_v - OFF);
@@ -945,12 +944,12 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     if (i == 0) return vec4(DRAWING + 1.25 * drawn(-theta_v), 1.0);
-    return vec4(i == 1 ? -1.85 : 1.85, -0.1, 1.3, 1.0);
+    return vec4(i == 1 ? -1.8 : 1.8, -0.1, 1.44, 1.0);
 }
 """,
         surfaces=(Surface("wet road", cells=(1, 1)),),
         marks=(
-            Mark("middle", colour="exact", line="dashed", width=0.7),
+            Mark("middle", colour="quiet", line="dashed", width=0.7),
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
             Mark("to the eye", colour="v", tip="eye", label="v"),
             Mark("halfway", colour="h", line="dashed", tip="arrow", label="h"),
@@ -960,7 +959,7 @@ vec4 probe(int i) {
         labels=(Label("Phong", 1), Label("Blinn", 2)),
         handles=(Handle("the light", 0, ("theta_v",)),),
         legend=(("r", "v off r"), ("h", "h off n: half of it")),
-        camera=Camera(azimuth=-90, elevation=0, distance=12.0, target=(0.0, 0.0, 0.0), field_of_view=21.5),
+        camera=Camera(azimuth=-90, elevation=0, distance=12.0, target=(0.0, 0.0, 0.31), field_of_view=23.8),
     ),
     plot=(
         Curves("Length of the highlight over its width", "theta_v", (
@@ -976,15 +975,15 @@ vec4 probe(int i) {
         Readout("Blinn: length / width", Term("highlight_stretch"), unit=""),
     ),
     ask=Prediction(
-        question="A lamp mirrored in a wet road, seen at eye level, 80° from the normal. In Blinn's model, how long is its "
-                 "highlight, over its width?",
-        truth=Term("highlight_stretch", {"theta_v": 1.3962634015954636}),
-        unit="times",
-        choices=(Choice("as long as wide: lamps are round", 0.9, 1.1), Choice("twice as long", 1.8, 2.2),
-                 Choice("nearly six times as long", 5.5, 6.0)),
-        sets={"theta_v": 80.0, "theta_l": 80.0},
-        told="5.8 times: 1/cos 80°. Along the road h turns half as far as the eye; across it, at a glancing angle, nearly three "
-             "times as far. So the streak is narrow.",
+        question="Lamp and eye stand opposite, both 80° from the normal, so h is n. The eye steps aside, 10° around the normal. "
+                 "How far does h tip?",
+        truth=Term("halfway_angle", {"theta_l": 4 * PI / 9, "theta_v": 4 * PI / 9, "phi": 17 * PI / 18}),
+        unit="rad from n",
+        choices=(Choice("5°: half as far, as before", 0.08, 0.095), Choice("10°: as far as the eye", 0.17, 0.18),
+                 Choice("26°: far more", 0.44, 0.48)),
+        sets={"theta_v": 80.0, "theta_l": 80.0, "phi": 170.0},
+        told="26°. Up and down h turns half as far as the eye; aside, at a glancing angle, nearly three times as far. So the "
+             "highlight is 5.8 times as long as wide: 1/cos 80°.",
     ),
     notes="""
 Ask for a photo of a wet street at night; someone has one. Which half of the picture is it? Then why: lay two pencils nearly
@@ -1019,7 +1018,7 @@ goes with the width:
 
 $$\colour{printed}{\int_\Omega (n\cdot h)^n \cos\theta\,d\omega} = \frac{8\pi\,(n + 2^{-n/2})}{(n+2)(n+4)}$$
 
-[Exponent 5](?exponent=5): twice what arrives. [Exponent 1000](?exponent=1000): a fortieth. An artist then turns $k_s$ up
+With $k_s = 1$ [exponent 5](?exponent=5&k_s=1) gives twice what arrives, [exponent 1000](?exponent=1000&k_s=1) a fortieth. An artist then turns $k_s$ up
 by hand, after every polish again.
 
 The $\colour{exact}{\text{lower row}}$ divides by the integral. Now the exponent changes the shape alone, and $k_s$ is what it
@@ -1036,9 +1035,7 @@ uniform float k_s;
 const vec3 LAMP = vec3(-0.42, -0.68, 0.60);
 const float METER = 1.15; // length of a bar that shows 1
 
-bool below(int i) {
-    return i % 2 == 1; // the normalised row
-}
+bool below(int i) { return i % 2 == 1; } // the normalised row
 
 float exponent_of(int i) {
     return i < 2 ? exponent : 5.0 * pow(8.0, float((i - 2) / 2)); // 5, 40, 320
@@ -1046,17 +1043,17 @@ float exponent_of(int i) {
 
 vec3 ball_centre(int i) {
     float z = below(i) ? -1.42 : 1.42;
-    return i < 2 ? vec3(-2.35, 0.0, z) : vec3(-0.25 + 1.5 * float((i - 2) / 2), 0.0, z);
+    return i < 2 ? vec3(-2.2, 0.0, z) : vec3(-0.35 + 1.4 * float((i - 2) / 2), 0.0, z);
 }
 
-float ball_radius(int i) { return i < 2 ? 1.05 : 0.62; }
+float ball_radius(int i) { return i < 2 ? 0.95 : 0.56; }
 
 float share(int i) {
     return highlight_flux(below(i) ? 3 : 2, 0.0, 0.0, k_s, exponent_of(i));
 }
 
 vec3 meter_foot(int i) {
-    return ball_centre(i) + vec3(i < 2 ? 1.13 : 0.70, -0.05, -0.62);
+    return ball_centre(i) + vec3(i < 2 ? 1.03 : 0.64, -0.05, -0.62);
 }
 
 vec3 surface_point(int surface, vec2 s) {
@@ -1088,7 +1085,7 @@ vec4 probe(int i) {
     if (i == 0) return vec4(meter_foot(0) + vec3(0.07, 0.0, METER * min(share(0), 2.15)), 1.0);
     if (i == 1) return vec4(meter_foot(1) + vec3(0.07, 0.0, METER * share(1)), 1.0);
     if (i < 6) return vec4(ball_centre(2 * (i - 2)).x, 0.0, 0.10, 1.0);
-    return vec4(-2.3, 0.0, i == 6 ? 2.72 : -2.72, 1.0);
+    return vec4(-2.2, 0.0, i == 6 ? 2.72 : -2.72, 1.0);
 }
 """,
         surfaces=(Surface("balls", cells=(263, 2)), *(Surface(f"flux meter {i}", cells=(1, 1)) for i in range(8))),
@@ -1096,7 +1093,7 @@ vec4 probe(int i) {
         labels=(Label("n: yours", 2), Label("5", 3), Label("40", 4), Label("320", 5), Label("as printed", 6, "printed"),
                 Label("normalised", 7)),
         handles=(Handle("the exponent", 0, ("exponent",)), Handle("the share", 1, ("k_s",))),
-        camera=Camera(azimuth=-90, elevation=0, distance=15.5, target=(-0.05, 0.0, 0.0), field_of_view=25),
+        camera=Camera(azimuth=-90, elevation=0, distance=15.5, target=(0.03, 0.0, 0.0), field_of_view=27),
         legend=(("quiet", "bars: flux; line: what arrives"),),
     ),
     plot=Curves("Flux under the highlight, light from above", "exponent", (
@@ -1129,7 +1126,7 @@ reciprocity; the printed formula is not reciprocal, and its energy badge, a sum 
              "Giesen 2009, Derivation of Phong and Blinn-Phong BRDF normalization factors"),
     honesty="Bars and numbers are exact, for light along the normal; bars longer than 2.15 are cut off. The balls' brightness is "
             "compressed to fit the screen, the same in both rows; their blue is a look.",
-    values=(Value("exponent", 30.0, low=1.0, high=1000.0, scale="log"), Value("k_s", 1.0, low=0.05, high=1.0)),
+    values=(Value("exponent", 30.0, low=1.0, high=1000.0, scale="log"), Value("k_s", 0.7, low=0.05, high=1.0)),
     models=(Model("as printed", Term("brdf_blinn_phong_printed", {"k_d": 0.0}), "printed"),
             Model("normalised", Term("brdf_blinn_phong", {"k_d": 0.0}))),
     minutes=5,
@@ -1240,13 +1237,14 @@ vec4 probe(int i) {
                 against="f_n, exact"),
     ),
     ask=Prediction(
-        question="A white highlight, k_s = 1 and exponent 100. Along the normal it gives back all the light. What share at 60°?",
-        truth=Term("albedo_blinn_phong", {"theta_v": PI / 3, "exponent": 100.0}),
+        question="A white, wide highlight, k_s = 1 and exponent 5. Along the normal it gives back all the light. What share at 60°?",
+        truth=Term("albedo_blinn_phong", {"theta_v": PI / 3, "exponent": 5.0}),
         unit="of it",
         low=0.0,
         high=1.0,
-        sets={"theta_v": 60.0, "exponent": 100.0, "k_d": 0.0, "k_s": 1.0},
-        told="0.265. Nothing was absorbed; the model lost it. A real rough metal would still give back most of it.",
+        sets={"theta_v": 60.0, "exponent": 5.0, "k_d": 0.0, "k_s": 1.0},
+        told="0.515. Nothing was absorbed; the model lost it. At exponent 100 it is 0.265, near cos² 60°. A white rough surface "
+             "would give back all of it.",
     ),
     notes="""
 The furnace is the sharpest test of a BRDF and needs no lamp: what differs from the wall is an error, or paint. Let them guess
@@ -1273,7 +1271,7 @@ WHY_PHYSICAL = Step(
     idea="Blinn-Phong has knobs and no material: what it must be told by hand, the physics of a surface knows.",
     slides=("Need for a Physically-based Reflectance Model",),
     prose=r"""
-Five balls. Each left half is Blinn-Phong with the best numbers straight on; each right half is what the surface does.
+Five balls. Each left half is Blinn-Phong, each right half what the surface does.
 
 [Guessed](?complaint=0): 0.8 red and 0.5 gloss looked fine on the screen. It is 1.3 times the light. Plastic is told by one
 number, its index.
@@ -1282,8 +1280,8 @@ number, its index.
 
 [Metal](?complaint=2): gold is yellow straight on and white at the rim. A colour $k_s$ cannot do both.
 
-[Exponent](?complaint=3): sectors in equal steps. From 10 to 910 all the change is in the first; the width goes with
-$1/\sqrt n$. Steps of a slope $m$ look equal.
+[Exponent](?complaint=3): sectors in equal steps. From 10 to 910 nearly all the change is in the first: the width goes with
+$1/\sqrt n$, and twice $n$ leaves 0.71 of it. Half the slope $m$ leaves half.
 
 [Lost](?complaint=4): in a furnace the rim goes dark, though nothing absorbs.
 
@@ -1355,7 +1353,7 @@ vec4 probe(int i) {
         labels=(Label("guessed", 1), Label("angle", 2), Label("metal", 3), Label("exponent", 4), Label("lost", 5),
                 Label("left: Blinn-Phong", 6, "printed"), Label("right: the surface", 7)),
         handles=(Handle("the angle", 0, ("theta",)),),
-        camera=Camera(azimuth=-90, elevation=2, distance=32, target=(0.0, 0.0, 0.0), field_of_view=12.8),
+        camera=Camera(azimuth=-90, elevation=2, distance=32, target=(0.0, 0.0, 0.0), field_of_view=14),
     ),
     plot=Curves("The chosen complaint", "theta", (
         Curve("the surface", Term("complaint_truth")),
@@ -1371,7 +1369,7 @@ vec4 probe(int i) {
         low=0.0,
         high=1.0,
         sets={"complaint": 2, "theta": 85.0},
-        told="0.75. At the rim gold is nearly white, like every metal. A constant k_s keeps it yellow there.",
+        told="0.75, and all of it at 90°: towards the rim gold turns white, like every metal. A constant k_s keeps it yellow.",
     ),
     notes="""
 Go ball by ball and let them say what is wrong with the left half before you do. The first one gives most trouble: it looks good.
@@ -1382,7 +1380,7 @@ four complaints; the fifth is from the step before. 4 minutes.
     sources=("Deck, slide Need for a Physically-based Reflectance Model", "Fresnel 1823", "Johnson and Christy 1972: n, k of gold"),
     honesty="Shares are exact for a smooth plastic of index 1.5 and for gold; that 0.8 of what enters the plastic comes out is "
             "set. The room is painted; reflections in it are sharp. The furnace shows the limit of a high exponent.",
-    values=(Value("complaint", 2, choices=COMPLAINTS), Value("theta", 70.0, low=0.0, high=89.0)),
+    values=(Value("complaint", 1, choices=COMPLAINTS), Value("theta", 70.0, low=0.0, high=89.0)),
     minutes=4,
 )
 

@@ -867,7 +867,7 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i < 3) return vec4(0.0, 0.0, 5.72 - 2.85 * float(i), 1.0);
     if (i < 5) return vec4(rough(i) + vec3(0.0, 0.0, SIZE + 0.3), 1.0);
-    if (i > 5) return vec4(place(i + 4) + vec3(0.0, 0.0, -1.4), 1.0);
+    if (i > 5) return vec4(place(i + 4) + vec3(i == 10 ? 0.45 : i == 9 ? -0.2 : 0.0, 0.0, -1.4), 1.0); // room for long names
     return vec4(rough(3) + (SIZE + 0.3) * vec3(-sin(2.0 * theta), -cos(2.0 * theta), 0.0), 1.0);
 }
 """,

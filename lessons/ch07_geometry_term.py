@@ -49,9 +49,7 @@ BALL_GLSL = EYE_GLSL + """
 uniform float theta_l;
 uniform float phi;
 
-vec3 picked() {
-    return cos(theta_v) * eye() + sin(theta_v) * up();
-}
+vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
 
 vec3 lamp() {
     vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
@@ -96,12 +94,10 @@ uniform float m;
 const float SIZE = 1.6;
 const float RELIEF = 0.02; // the ball is a disk before the eye; its depth carries the light, worked out at its corners
 
-vec3 around(float turn) {
-    return cos(turn) * up() + sin(turn) * aside();
-}
+vec3 around(float turn) { return cos(turn) * up() + sin(turn) * aside(); }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface == 2) return 2.5 * (2.0 * s.x - 1.0) * aside() + 2.5 * (2.0 * s.y - 1.0) * up() - eye();
+    if (surface == 2) return 4.5 * (2.0 * s.x - 1.0) * aside() + 3.5 * (2.0 * s.y - 1.0) * up() - eye();
     float angle = radians(89.5) * s.y * (2.0 - s.y), light = albedo_geometry(angle, m, surface == 0 ? 1 : 0);
     return SIZE * sin(angle) * around(PI * (surface == 0 ? -s.x : s.x)) + RELIEF * light * eye();
 }
@@ -127,7 +123,7 @@ vec4 probe(int i) {
         surfaces=(Surface("with G", cells=(24, 28)), Surface("without G", cells=(24, 28)), Surface("sky", cells=(1, 1))),
         marks=(Mark("ring", colour="v", segments=72, width=1.2, label="θ", label_at=0.12),
                Mark("divide", colour="quiet", line="dotted"), Mark("outline", colour="quiet", segments=72)),
-        labels=(Label("with G", 1), Label("without G", 2, "printed")),
+        labels=(Label("with G", 1), Label("without G", 2)),
         handles=(Handle("the ring", 0, ("theta_v",)),),
         legend=(("v", "seen at the angle θ"), ("printed", "brighter than the sky")),
         camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.1), field_of_view=6.6),
@@ -155,15 +151,16 @@ vec4 probe(int i) {
         told="2.15 times. With G it is 0.98: the model may lose light, it must not make any.",
     ),
     notes="""
-Cover the rim with your hand: the two halves are hardly different. Uncover it. Ask what is divided by, and let someone walk
+Cover the rim with your hand: both halves are darker than the sky, the left a little more so. Nothing looks wrong. Uncover it. Ask what is divided by, and let someone walk
 the ring outwards while the class reads the second number aloud; the moment it passes 1 is the point. Common wrong answer:
-1, because mirrors cannot make light. Mirrors cannot; the formula can, because it counts facets that nobody sees. Why is
-the left half darker than the sky? Light that is blocked would bounce on; the model drops it. The 4 is the consistent form
+1, because mirrors cannot make light. Mirrors cannot; the formula can, because it counts facets that nobody sees. Why are both
+darker than the sky in the middle? Facets steeper than 45° throw light down, and with G some is blocked: it would bounce on,
+the model drops it. The 4 is the consistent form
 of the printed π (chapter 5). 5 minutes.
 """,
     sources=("Deck, slide Geometric Term (1)", "Torrance & Sparrow 1967", "Cook & Torrance 1982"),
     honesty="Shares are exact to 1e-6 for Beckmann facets that mirror everything, with 1/4 for the printed 1/π. What is "
-            "blocked is dropped here, not passed on to the next facet.",
+            "blocked, or thrown down into the surface, is dropped here, not passed on to the next facet.",
     values=(Value("theta_v", 78.0, low=0.0, high=85.0), Value("m", 0.8, low=0.1, high=1.0)),
     minutes=5,
 )
@@ -225,9 +222,7 @@ const int RAYS = 48;
 
 vec3 way() { return vec3(sin(lean_v), 0.0, cos(lean_v)); }
 
-vec3 start(int ray) {
-    return groove_point(facet, (float(ray) + 0.5) / float(samples));
-}
+vec3 start(int ray) { return groove_point(facet, (float(ray) + 0.5) / float(samples)); }
 
 // Where the ray ends: on the strip before the eye, or on the opposite side
 vec3 end(int ray) {
@@ -268,11 +263,16 @@ vec3 shade(Surface s) {
     return v;
 }
 
+vec3 watch(float beyond) { // the eye, beyond the far edge of the strip
+    vec3 q = groove_point(facet, 0.5);
+    return q + (FAR + beyond - dot(q, way())) * way() + vec3(0.0, 1.2, 0.0);
+}
+
 vec3 mark_point(int mark, float t) {
     vec3 lift = vec3(0.0, -0.43, 0.0), middle = groove_point(facet, 0.5), ridge = groove_point(-facet, 1.0);
     if (mark == 0) return groove_point(facet, 1.0) + vec3(0.0, 0.0, 0.75 * t) + lift;
     if (mark == 1) return middle + 0.8 * t * vec3(sin(facet), 0.0, cos(facet)) + lift;
-    if (mark == 2) return way() * (FAR + 0.6 * t) + 1.9 * lift;
+    if (mark == 2) return watch(0.55 * t);
     float open = clamp(groove_hidden(facet, lean_v), 0.0, 1.0);
     vec3 foot = groove_point(facet, open), over = cos(facet + lean_v) < 0.0 ? ridge : foot;
     return mix(foot, over + way() * (FAR - dot(over, way())), t) + 1.2 * lift;
@@ -280,7 +280,7 @@ vec3 mark_point(int mark, float t) {
 
 vec4 probe(int i) {
     vec3 lift = vec3(0.0, -0.43, 0.0);
-    if (i == 0) return vec4(way() * (FAR + 0.6) + 1.9 * lift, 1.0);
+    if (i == 0) return vec4(watch(0.55), 1.0);
     return vec4(groove_point(-facet, 1.0) + lift, 1.0);
 }
 """,
@@ -292,7 +292,7 @@ vec4 probe(int i) {
                Mark("line of sight", colour="exact", line="dotted")),
         handles=(Handle("the eye", 0, ("lean_v",)), Handle("the ridge", 1, ("facet",))),
         legend=(("v", "seen"), ("lost", "masked")),
-        camera=Camera(azimuth=-66, elevation=17, distance=14, target=(0.2, 0.2, 0.3), field_of_view=22),
+        camera=Camera(azimuth=-66, elevation=17, distance=14, target=(0.5, 0.2, 0.3), field_of_view=23),
     ),
     plot=Curves(
         title="Share of the facet that is seen",
@@ -322,7 +322,7 @@ vec4 probe(int i) {
 Let them count rays before the formula appears: green ones over all. Then one line on the board: the hidden share is
 -(h'·v)/(h·v), h' being the other side's normal, and h + h' = 2 (n·h) n; so what is left is 2 (n·h)(n·v)/(v·h).
 Ask what G is from straight above: 2. Is that a bug? The formula measures where the line of sight meets the facet's own
-plane; beyond the valley there is no facet. Common wrong answer to the question: a third, from 75 over 90. 6 minutes.
+plane; beyond the valley there is no facet. Common wrong answer to the question: a sixth, as 15° are left of 90°. 6 minutes.
 """,
     sources=("Deck, slide Geometric Term (2)", "Torrance & Sparrow 1967", "Blinn 1977"),
     honesty="Exact for endless symmetric grooves and a far eye in the plane across them; the formula also holds for other "
@@ -347,8 +347,7 @@ So nothing new has to be derived. Swap the roles:
 $$\colour{l}{G_\text{shadow}} = \frac{2\,(n\cdot h)(n\cdot l)}{l\cdot h}, \qquad l\cdot h = v\cdot h$$
 
 Both hidden parts begin in the valley. So they **overlap**, and the larger one decides. [Swap](?lean_l=40&lean_v=75) and
-[swap back](?lean_l=75&lean_v=40): the share that is lit *and* seen stays. Light takes the same way in both directions:
-**reciprocity**.
+[swap back](?lean_l=75&lean_v=40), and look at the share that is lit *and* seen.
 """,
     scene=Scene(
         glsl=GROOVE_GLSL + """
@@ -376,9 +375,7 @@ vec3 shade(Surface s) {
     return mix(ground, colour, t < 0.0 ? 0.25 + 0.3 * reached : 0.45 + 0.45 * reached);
 }
 
-vec3 edge(float lean) {
-    return groove_point(facet, clamp(groove_hidden(facet, lean), 0.0, 1.0)) + vec3(0.0, 0.0, 0.012);
-}
+vec3 edge(float lean) { return groove_point(facet, clamp(groove_hidden(facet, lean), 0.0, 1.0)) + vec3(0.0, 0.0, 0.012); }
 
 vec3 over(float lean, float y, float t) {
     vec3 foot = edge(lean) + vec3(0.0, y, 0.0), d = way(lean);
@@ -409,7 +406,7 @@ vec4 probe(int i) {
                *(Mark(f"line of sight {i}", colour="v", line="dotted") for i in range(3))),
         handles=(Handle("the light", 0, ("lean_l",)), Handle("the eye", 1, ("lean_v",)), Handle("the ridge", 2, ("facet",))),
         legend=(("l", "reached by the light"), ("v", "seen by the eye"), ("lost", "kept from it")),
-        camera=Camera(azimuth=-52, elevation=27, distance=16, target=(0.3, 0.0, 0.2), field_of_view=23),
+        camera=Camera(azimuth=-52, elevation=27, distance=16, target=(0.1, 0.0, 0.1), field_of_view=26),
     ),
     plot=Curves(
         title="Share of the facet, against the light",
@@ -435,7 +432,8 @@ vec4 probe(int i) {
         choices=(Choice("less: I look flat over the furrows", 0.0, 0.4), Choice("0.42 again", 0.42, 0.43),
                  Choice("all of it: a high sun throws no shadow", 0.9, 1.0)),
         sets={"facet": 45.0, "lean_l": 30.0, "lean_v": 75.0},
-        told="0.42 again. What the sun did not reach before, the eye does not reach now.",
+        told="0.42 again. What the sun did not reach before, the eye does not reach now: light takes the same way in both "
+             "directions. That is reciprocity.",
     ),
     notes="""
 Do it with two people and a corrugated card: one is the lamp, one the eye, then they change places. Then the screen: both at
@@ -465,9 +463,9 @@ The left ball is a map: which of the three is it? Round the rim $\colour{v}{\tex
 $\colour{l}{\text{shadowing}}$, and in between a broad band where **nothing** is blocked. The right ball shows $G$ itself.
 It has no jumps, but it has **creases**.
 
-Drag the $\colour{l}{\text{light}}$ [behind the eye](?theta_l=55&phi=0), [to the side](?theta_l=40&phi=180) and
-[far behind the ball](?theta_l=80&phi=180). Where light and eye agree, everything is seen that is lit: masking and shadowing
-meet in one line.
+Drag the $\colour{l}{\text{light}}$ [near the eye](?theta_l=55&phi=0), [to the side](?theta_l=60&phi=90) and
+[far behind the ball](?theta_l=80&phi=180). With the light
+[in the eye](?theta_l=74&phi=0), masking and shadowing are the same everywhere.
 """,
     scene=Scene(
         glsl=BALL_GLSL + """
@@ -486,10 +484,12 @@ vec3 surface_point(int surface, vec2 s) {
     return (1.6 + 0.2 * s.x) * aside() + (2.1 * s.y - 2.75) * up();
 }
 
+const float ALIKE = 2e-5; // masking and shadowing that are nearer are the same, all over: light and eye agree
+
 // The next of the three terms less the least, over a pixel: below 1 on a crease
 float off_crease(vec4 c) {
-    float low = 2.0 * c.x * min(c.y, c.z) / c.w, high = 2.0 * c.x * max(c.y, c.z) / c.w;
-    float one = abs(low - 1.0) / max(fwidth(low), 1e-6), two = abs(high - low) / max(fwidth(high - low), 1e-6);
+    float low = 2.0 * c.x * min(c.y, c.z) / c.w, apart = 2.0 * c.x * abs(c.y - c.z) / c.w, wide = fwidth(apart);
+    float one = abs(low - 1.0) / max(fwidth(low), 1e-6), two = wide > ALIKE ? apart / wide : 9.0;
     return low < 1.0 ? min(one, two) : one;
 }
 
@@ -501,7 +501,9 @@ vec3 shade(Surface s) {
     float branch = g_branch(c.x, c.y, c.z, c.w), line = smoothstep(0.6, 1.8, off_crease(c));
     if (c.z <= 0.0 || c.y <= 0.0) return mix(background, palette[COLOUR_QUIET], 0.16 + 0.12 * max(dot(n, s.v), 0.0));
     if (s.id == 1) return mix(palette[COLOUR_EXACT], colormap(g_vgroove(c.x, c.y, c.z, c.w)), line);
-    vec3 colour = branch < 0.5 ? mix(palette[COLOUR_QUIET], vec3(1.0), 0.25) : palette[branch < 1.5 ? COLOUR_V : COLOUR_L];
+    bool masked = branch < 1.5, stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 16.0) < 8.0;
+    if (abs(c.y - c.z) < ALIKE) masked = stripe;
+    vec3 colour = branch < 0.5 ? mix(palette[COLOUR_QUIET], vec3(1.0), 0.25) : palette[masked ? COLOUR_V : COLOUR_L];
     return mix(palette[COLOUR_EXACT], colour * (0.55 + 0.45 * c.y), line);
 }
 
@@ -545,28 +547,28 @@ vec4 probe(int i) {
         Readout("gap to the next", Term("crease_gap"), unit=""),
     ),
     ask=Prediction(
-        question="Lines run over the ball where its brightness bends. Where do the creases come from?",
-        truth=Term("crease_gap", {"theta_l": 75 * PI / 180, "theta_v": 45 * PI / 180, "phi": PI}),
-        unit="",
-        choices=(Choice("the ball has too few triangles", 0.3, 1.0),
-                 Choice("two of the three terms are equal there", -1e-6, 1e-6),
-                 Choice("a ridge throws its shadow there", 0.01, 0.29)),
-        sets={"theta_l": 75.0, "theta_v": 45.0, "phi": 180.0},
-        told="The picked place now sits on a crease: 1 and shadowing are equal, the gap is 0. Another one takes over, and "
-             "the slope of G jumps.",
+        question="A light right behind your eye: you see no shadow. At 75° from the middle of the ball, what share of the facets "
+                 "towards h is lit and seen?",
+        truth=Term("vgroove_at", {"theta_l": 75 * PI / 180, "theta_v": 75 * PI / 180, "phi": 0.0}),
+        unit="of them",
+        low=0.0,
+        high=1.0,
+        sets={"theta_l": 75.0, "theta_v": 75.0, "phi": 0.0},
+        told="0.13: 2 cos² 75°, as h is l. No shadow is seen, but the ridges hide what they shade. Up to 45° nothing is lost; "
+             "there 2 cos² θ is 1, and a crease runs round the ball.",
     ),
     notes="""
 Ask first what shape the regions have, then show the map. Move the light slowly from the eye to the far side: the coloured
 bands grow inwards. A place that is never blocked is one whose h leans little. Let them find the place where all three are
 equal; there is a corner. Why does it matter? Real surfaces have no such lines: they come from grooves all of one kind,
-endless and symmetric. Seen on a smooth metal they never show, as there D is 0. Common wrong answer: the mesh; zoom in,
-the line stays. 6 minutes.
+endless and symmetric. Seen on a smooth metal they never show, as there D is 0. Some will blame the
+mesh: zoom in, the line stays. Common wrong answer to the question: 1, as there are no shadows. 6 minutes.
 """,
     sources=("Deck, slides Geometric Term (3) and Combined G", "Torrance & Sparrow 1967", "Blinn 1977"),
     honesty="The map and G are exact for each pixel, for a far eye and a far light. The creases are exact too: a property "
             "of the V-groove model, not of surfaces.",
-    values=(Value("theta_v", 74.0, low=0.0, high=88.0), Value("theta_l", 14.0, low=0.0, high=88.0),
-            Value("phi", 180.0, low=0.0, high=180.0)),
+    values=(Value("theta_v", 74.0, low=0.0, high=88.0), Value("theta_l", 32.0, low=0.0, high=88.0),
+            Value("phi", 130.0, low=0.0, high=180.0)),
     minutes=6,
 )
 
@@ -584,7 +586,7 @@ The light comes in low, so $n\cdot l$ is small all along the edge of the day, an
 edge is cut as with a knife, and the rim burns out.
 
 How much too bright? In even light at 85° a surface of [m = 0.3](?m=0.3&theta_v=85) sends back 1.53 times what it gets,
-[m = 0.5](?m=0.5&theta_v=85) 2.15 times, [m = 1](?m=1&theta_v=85) 3.73 times.
+[m = 0.5](?m=0.5&theta_v=85) 2.15 times. And with [m = 1](?m=1&theta_v=85)?
 """,
     scene=Scene(
         glsl=BALL_GLSL + GOLD_GLSL + """
@@ -787,22 +789,22 @@ vec4 probe(int i) {
             Model("Smith, product", Term("brdf_geometry", {"f0": 1.0, "geometry": 2}), "printed"),
             Model("Smith, heights", Term("brdf_geometry", {"f0": 1.0, "geometry": 3}), "estimate")),
     ask=Prediction(
-        question="At 80°, slopes near 1, all facets together would show 2.15 times the area of the plate if nothing hid them. "
-                 "What does Smith's G leave?",
-        truth=Term("weak_furnace", {"theta_v": 80 * PI / 180, "m": 1.0, "geometry": 3}),
-        unit="",
-        choices=(Choice("a little less than the plate: some is lost", 0.0, 0.999),
-                 Choice("just the plate", 0.999, 1.001),
-                 Choice("a little more: it is an estimate", 1.001, 2.1)),
-        sets={"theta_v": 80.0, "m": 1.0},
-        told="Just the plate: 1.000, for every angle and every m. V-grooves do it too, even for each tilt by itself.",
+        question="The product passes the test too, with mirrors for facets. At 85° and m = 1 in even light, how much of the light "
+                 "does it send back?",
+        truth=Term("albedo_geometry", {"theta_v": 85 * PI / 180, "m": 1.0, "geometry": 2}),
+        unit="of it",
+        choices=(Choice("all: it passed, and mirrors absorb nothing", 0.999, 1.001),
+                 Choice("nine tenths", 0.85, 0.95),
+                 Choice("half: what is seen may still be in shadow", 0.4, 0.6)),
+        sets={"theta_v": 85.0, "m": 1.0},
+        told="0.906. The test counts what you see, not whether it is lit: light that is blocked is dropped. Heights keep 0.959, "
+             "V-grooves 0.969. Putting the rest back takes a second bounce.",
     ),
     notes="""
 Ask what a plate full of holes may show you: as much as its outline, never more, as there is no way to see past it.
 That is the whole test. The second plot shows how they pass: V-grooves tilt by tilt, Smith only in the sum, as it hides
-each facet alike. Passing is not keeping all light: what is blocked still gets lost. At 85° and m = 1 in even light the
-product keeps 0.906, heights 0.959, V-grooves 0.969. Common wrong answer: Smith is softer, so it must be less exact. It is
-what most programs use today. 7 minutes.
+each facet alike. Passing is not keeping all light: what is blocked still gets lost, so the usual wrong answer to the
+question is all. Some will say that Smith is softer, so it must be less exact. It is what most programs use today. 7 minutes.
 """,
     sources=("Smith 1967", "Walter et al. 2007: the quick fit", "Heitz 2014: heights, and the weak white furnace",
              "Deck, slide Geometric Term (3)"),

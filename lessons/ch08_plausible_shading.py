@@ -42,7 +42,7 @@ COMPARE = Step(
     slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
     prose=r"""
 A metal vase, twice, and a plastic one, twice. Both times it has the same colour, the same width of highlight, the same peak
-with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=78).
+with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
 **Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
 $\theta$ its highlight is
@@ -92,7 +92,7 @@ vec3 shade(Surface s) {
     vec3 n = vase_normal(axis(s.id), s.st), l = normalize(lamp()), light = max(s.value.rgb, 0.0);
     float n_dot_v = dot(n, s.v), n_dot_l = dot(n, l), f0 = f_dielectric(1.0, material_eta(row));
     bool cook = s.id > 1, lit = n_dot_l > 0.0;
-    if (n_dot_v <= 0.0) return vec3(0.02);
+    if (n_dot_v <= 0.0) return light;
     if (row < INSULATORS) {
         float left = cook ? 1.0 - f_dielectric(n_dot_v, material_eta(row)) : 1.0 - f0, in_out = 1.0 - f0;
         if (cook && lit) in_out = PI * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
@@ -118,7 +118,7 @@ vec4 probe(int i) {
     return vec4(i == 1 ? -1.75 : 0.85, -0.72, -0.36, 1.0);
 }
 """,
-        surfaces=(*(Surface(name, cells=(26, 30)) for name in ("metal, Blinn-Phong", "plastic, Blinn-Phong",
+        surfaces=(*(Surface(name, cells=(20, 24)) for name in ("metal, Blinn-Phong", "plastic, Blinn-Phong",
                                                              "metal, Cook-Torrance", "plastic, Cook-Torrance")),
                   Surface("room", cells=(1, 1)), Surface("board", cells=(1, 1)), Surface("board's edge", cells=(1, 1))),
         marks=(Mark("to the lamp", colour="l", tip="sun", label="l"), Mark("to the eye", colour="v", tip="eye", label="v"),
@@ -128,7 +128,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-90, elevation=9, distance=16, target=(0.0, 0.0, 1.2), field_of_view=20),
     ),
     plot=Curves(
-        title="The highlight's middle, head-on being 1", sweep="theta_d",
+        title="The highlight, head-on being 1", sweep="theta_d",
         curves=(Curve("plastic, Cook-Torrance", Term("gain_cook_torrance", RED)),
                 Curve("gold, blue", Term("gain_cook_torrance", {"material": 5, "channel": 2}), role="estimate"),
                 Curve("gold, red", Term("gain_cook_torrance", {"material": 5, "channel": 0}), role="estimate", colour="#D55E00"),
@@ -136,10 +136,10 @@ vec4 probe(int i) {
         y_label="times", y_scale="log",
     ),
     readouts=(
-        Readout("plastic, Cook-Torrance", Term("gain_cook_torrance", RED), role="exact", unit="times"),
-        Readout("Blinn-Phong", Term("gain_blinn_phong"), role="printed", unit="times", against="plastic, Cook-Torrance"),
-        Readout("the left one, red", Term("gain_cook_torrance", {"channel": 0}), unit="times"),
-        Readout("the left one, blue", Term("gain_cook_torrance", {"channel": 2}), unit="times"),
+        Readout("plastic, gain", Term("gain_cook_torrance", RED), role="exact", unit=""),
+        Readout("Blinn-Phong", Term("gain_blinn_phong"), role="printed", unit="", against="plastic, gain"),
+        Readout("metal, red", Term("gain_cook_torrance", {"channel": 0}), unit=""),
+        Readout("metal, blue", Term("gain_cook_torrance", {"channel": 2}), unit=""),
     ),
     models=(Model("Cook-Torrance", Term("brdf_matter", {"channel": 0}), "exact"),
             Model("Blinn-Phong", Term("brdf_matter_blinn", {"channel": 0}), "printed")),
@@ -163,8 +163,8 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
     sources=("Deck, slides Cook Torrance - Comparison (1) and (2)", "Cook & Torrance 1982: the vases", "Johnson & Christy 1972, 1974; "
              "Rakic 1995; Sultanova 2009: indices"),
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
-            "F₀, the exponent 2/m² - 2. The room is a look, mirrored in 32 facets per corner. No shadows; no second bounces.",
-    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES)), minutes=6,
+            "F₀, the exponent 2/m² - 2. The room is a look, mirrored in 20 facets per corner. No shadows; no second bounces.",
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
 )
 
 CURVES = ("cut at 1", "Reinhard", "ACES fit")
@@ -315,7 +315,7 @@ the numbers before it. EV of a lit room at night: 4 to 7; of sunlight: 15. 7 min
 
 MEASURING = Step(
     name="measuring",
-    title="Three lamps, and what a program calls L_i",
+    title="Three lamps, and what I/r² is",
     idea="Of a lamp one knows the flux; its intensity over r² is the irradiance it gives, and irradiances add up.",
     slides=(PLAUSIBLE("Measuring Light"),),
     prose=r"""
@@ -327,7 +327,7 @@ Each $\colour{l}{\text{arrow}}$ at the meter is one term of the sum. Push the me
 250 lm win against 600.
 
 The slides write $L_i \approx I/r^2$. But that is an **irradiance**, in lux. The radiance of a globe is
-$I/(\pi r_0^2)$, in cd/m², *the same from any distance*. Feed [I/r² as L](?taken=1) to the mirror ball and its lamps go
+$I/(\pi r_0^2)$, in cd/m², *the same from any distance*. Feed the mirror ball [I/r² as L](?taken=1), and its lamps go
 out.
 
 For matt floors both ways agree: luminance times projected solid angle is $I\cos/r^2$, for a globe exactly.
@@ -407,7 +407,7 @@ vec4 probe(int i) {
         labels=(Label("Φ", 2, "l"), Label("600 lm", 3, "l"), Label("250 lm", 4, "l")),
         handles=(Handle("the meter", 0, ("from_wall", "along_wall")),),
         legend=(("l", "a lamp's part of the lux"),),
-        camera=Camera(azimuth=-62, elevation=27, distance=7.4, target=(1.2, -0.05, 0.6), field_of_view=22),
+        camera=Camera(azimuth=-62, elevation=27, distance=7.4, target=(1.22, -0.05, 0.55), field_of_view=24.5),
     ),
     plot=(
         Curves(
@@ -442,7 +442,7 @@ vec4 probe(int i) {
         question="A globe lamp of radius 10 cm hangs 1 m away. A program takes I/r² for its radiance L. How many times "
                  "larger is the true one?",
         truth=Term("luminance_over_inverse_square", {"source_radius": 0.1, "distance": 1.0}),
-        unit="times", low=1.0, high=1000.0, scale="log",
+        unit="times", low=1.0, high=10000.0, scale="log",
         sets={"source_radius": 0.1, "taken": 1},
         told="31.8 times: one over the solid angle of its disk, 0.0314 sr. A smaller lamp makes it worse, without end.",
     ),
@@ -498,10 +498,7 @@ vec3 surface_point(int surface, vec2 s) { // a ball's left half hangs before the
     return ball_point(s, 4, centre(ball_number(s, 4)), SIZE);
 }
 
-vec4 surface_value(int surface, vec2 s) { // the body's share by 1 - F(l.h), an integral
-    if (surface > 0 || ball_number(s, 4) != 1) return vec4(0.0);
-    return vec4(albedo_body(0.5 * PI * min(s.y, 1.0), rho, f0, 1));
-}
+float halfway_lost(float c) { return 0.028005 - c * (0.07682 - c * (0.073584 - c * 0.02474)); } // 1 - albedo_body(1, 0, 1), fit
 
 vec3 shade(Surface s) {
     vec3 heat = vec3(0.50, 0.47, 0.43);
@@ -509,7 +506,7 @@ vec3 shade(Surface s) {
     int i = ball_number(s.st, 4);
     vec3 n = ball_normal((s.position - centre(i)) / SIZE, s.v);
     float n_dot_v = clamp(dot(n, s.v), 0.0, 1.0), mirror = f_schlick(n_dot_v, f0);
-    float body = i == 1 ? max(s.value.x, 0.0) : i == 3 ? rho * passed_share(n_dot_v, f0)
+    float body = i == 1 ? rho * (1.0 - f0) * (1.0 - halfway_lost(n_dot_v)) : i == 3 ? rho * passed_share(n_dot_v, f0)
                                               : rho * (i == 0 ? 1.0 : 1.0 - f_average_schlick(f0));
     if (s.position.x > centre(i).x)
         return body * soft_light(vec3(0.80, 0.10, 0.06), n, s.v) + mirror * studio(reflect(-s.v, n));
@@ -526,10 +523,10 @@ vec3 mark_point(int mark, float t) { return ring(mark % 4, mark < 4 ? SIZE * sin
 
 vec4 probe(int i) {
     if (i == 0) return vec4(ring(0, SIZE * sin(theta_v), 0.7), 1.0);
-    return vec4(centre(i - 1) + vec3(0.25, 0.0, 1.72), 1.0);
+    return vec4(centre(i - 1) + vec3(1.0, 0.0, 1.72), 1.0);
 }
 """,
-        surfaces=(Surface("balls", cells=(131, 16)), Surface("furnace, left", cells=(1, 1)), Surface("furnace, right", cells=(1, 1))),
+        surfaces=(Surface("balls", cells=(131, 5)), Surface("furnace, left", cells=(1, 1)), Surface("furnace, right", cells=(1, 1))),
         marks=(*(Mark(f"angle {i}", colour="v", segments=64, width=1.2) for i in range(4)),
                *(Mark(f"outline {i}", colour="quiet", line="dotted", segments=64) for i in range(4))),
         labels=tuple(Label(words, i + 1, "exact" if i == 3 else "printed") for i, words in enumerate(COUPLINGS)),
@@ -570,7 +567,7 @@ to 0.9 with ρ = 1: a metal with a body, 1.9 times the light. Metals swallow wha
 """,
     sources=("Deck, slide Plausible Shading - BRDFs", "Shirley et al. 1997", "Kelemen & Szirmay-Kalos 2001", "optics reference, D13"),
     honesty="Shares are exact for a smooth coat with Schlick's F. Under a rough one, up to 1.003 comes back at 60°, and "
-            "less at grazing. ρ counts all bounces under the coat together. The badges judge m = 0.02. The room is a look.",
+            "less at grazing; the second ball is a fit to 2e-4. ρ counts all bounces under the coat together. The badges judge m = 0.02. The room is a look.",
     values=(Value("theta_v", 75.0, low=0.0, high=88.0), Value("rho", 1.0, low=0.0, high=1.0),
             Value("f0", 0.04, low=0.0, high=0.9)), minutes=6,
 )
@@ -606,7 +603,7 @@ drop a mesh of your own on the window.
 uniform float theta_l, theta_v, phi, m, f0, rho;
 uniform int shows;
 
-const float SIZE = 0.92, APART = 1.04;
+const float SIZE = 0.92;
 
 vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
 
@@ -615,11 +612,11 @@ vec3 lamp() {
     return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
 }
 
-vec3 ball() { return -APART * aside() - 0.22 * up(); }
+vec3 ball() { return -0.86 * aside() - 0.58 * up(); }
 
 vec3 surface_point(int surface, vec2 s) { return cap_to_eye(s, ball(), SIZE); }
 
-vec3 mesh_point(int surface, vec3 p) { return SIZE * p + APART * aside() - 0.22 * up(); }
+vec3 mesh_point(int surface, vec3 p) { return SIZE * p + 0.88 * aside() + 0.44 * up(); }
 
 vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
 
@@ -630,13 +627,13 @@ vec3 factor(vec3 n, vec3 l, vec3 v) {
         vec3 w = shows == 6 ? n : h;
         return pow(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), vec3(2.2));
     }
-    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint) : 0.35 * background;
+    if (min(n_dot_l, n_dot_v) <= 0.0) return shows == 0 ? 0.06 * (0.2 + paint + f0) : 0.35 * background;
     if (shows == 2) return mix(0.15 * background, palette[COLOUR_G], g_vgroove(dot(n, h), n_dot_v, n_dot_l, dot(l, h)));
     if (shows == 3) return mix(0.15 * background, palette[COLOUR_F], sqrt(f_schlick(dot(l, h), f0)));
     float value = shows == 1 ? d_beckmann(n, s, m) : brdf_cook_torrance(n, l, v, m, f0);
     if (shows == 1 || shows == 4) return decades(value, -3.0, 2.0);
     vec3 body = paint * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
-    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint));
+    return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint + f0));
 }
 
 vec3 shade(Surface s) {
@@ -667,7 +664,7 @@ vec4 probe(int i) {
                Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
         handles=(Handle("the picked point", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
         legend=(("n", "the same normal"),),
-        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=4.9),
+        camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3),
         meshes=("knot", "bowl", "sphere", "cube"),
     ),
     plot=(
@@ -685,7 +682,7 @@ vec4 probe(int i) {
         Readout("F", Term("schlick_at"), unit=""), Readout("f, all together", Term("brdf_coated", {"coupling": 3}), unit="1/sr"),
     ),
     ask=Prediction(
-        question="Plastic, F₀ = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
+        question="Plastic, F(0) = 0.04. You look straight at the highlight's middle, then light and eye sink to 60° on opposite "
                  "sides. How many times larger is D G F / 4 (n·l)(n·v) now?",
         truth=Term("mirror_gain", {"theta": PI / 3, "f0": 0.04}),
         unit="times", low=1.0, high=20.0, scale="log",
@@ -702,11 +699,11 @@ facets crowd into less projected area. Then change the shape: the rings wander, 
              "Shirley et al. 1997; Kelemen & Szirmay-Kalos 2001: the body", "Schlick 1994"),
     honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far, and the light goes "
             "with the point. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
-    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "D G F / 4 (n·l)(n·v)", "body", "n", "h")),
-            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube")),
+    values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "quotient", "body", "n", "h")),
+            Value("shape", 0, choices=("knot", "bowl", "sphere", "cube"), more=True),
             Value("m", 0.25, low=0.05, high=1.0), Value("f0", 0.04, low=0.02, high=0.95),
-            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 44.0, low=0.0, high=85.0, more=True),
-            Value("phi", 115.0, more=True), Value("rho", 0.6, more=True)),
+            Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 38.0, low=0.0, high=85.0, more=True),
+            Value("phi", 132.0, more=True), Value("rho", 0.6, more=True)),
     minutes=8,
 )
 
@@ -790,7 +787,7 @@ vec4 probe(int i) {
                Mark("near to far", colour="quiet", width=1.5), Mark("how far", colour="v", tip="dot", width=2.0)),
         labels=(Label("near", 2), Label("far", 3), Label("filtered", 4, "estimate"), Label("N places", 5), Label("one place", 6, "printed")),
         handles=(Handle("the distance", 0, ("bumps",)), Handle("the ring", 1, ("theta_h",))),
-        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.14), field_of_view=4.0),
+        camera=Camera(azimuth=-90, elevation=0, distance=40, target=(0.0, 0.0, -0.2), field_of_view=4.2),
     ),
     plot=(
         Curves(
@@ -840,6 +837,122 @@ first number. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31
     minutes=7,
 )
 
+TEXTURING = Step(
+    name="texturing",
+    title="Four maps, two kinds",
+    idea="A map of a colour is decoded from sRGB; a map of a number is not, or each highlight comes out wrong.",
+    slides=("Plausible Shading - Texturing",),
+    prose=r"""
+No surface is the same all over. Lay on one map after the other: [none](?map_layers=0), [albedo](?map_layers=1),
+[F(0)](?map_layers=2), which turns the ornament into gold, [roughness](?map_layers=3), the wiping of a cloth, and
+[normals](?map_layers=4), its relief.
+
+A file stores numbers from 0 to 1. Which light do they mean? Albedo and $F_0$ are $\colour{l}{\text{colours}}$, stored as sRGB
+close to what the eye sees; **decode** them. Roughness and normals are $\colour{v}{\text{numbers}}$: read them **as they are**.
+
+The trap: read the [roughness as sRGB](?map_trap=1). 0.5 becomes 0.21, and $D(0) = 1/\pi m^2$ grows 5.5 times. Nothing fails,
+the plate only looks wet. Or the [normals](?map_trap=2): all lean the same way. Or leave the
+[colours](?map_trap=3) encoded: pale. [All as meant](?map_trap=0).
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/coat.glsl"
+#include "display/plate.glsl"
+uniform float map_s, map_t, light_x, light_y;
+uniform int map_layers, map_trap;
+
+vec3 surface_point(int surface, vec2 s) {
+    vec2 p = 2.0 * s - 1.0;
+    if (surface == 4) return vec3(0.42 + 1.02 * p.x, 1.02 * p.y, 0.0);
+    return vec3(-1.02 + 0.25 * p.x, 0.86 - 0.55 * float(surface) + 0.19 * p.y, 0.0);
+}
+
+vec3 shade(Surface s) {
+    if (s.id < 4) return decoded(stored(s.id, s.st)) * (s.id < map_layers ? 1.0 : 0.25); // as a screen shows the file
+    vec3 albedo = stored(0, s.st), f0 = stored(1, s.st), n = vec3(0.0, 0.0, 1.0);
+    if (map_trap != 3) albedo = decoded(albedo), f0 = decoded(f0);
+    if (map_layers < 1) albedo = vec3(0.25);
+    if (map_layers < 2) f0 = vec3(0.04);
+    float m = 0.35;
+    if (map_layers > 2) m = map_trap == 1 ? roughness_as_srgb(s.st.x, s.st.y) : stored_roughness(s.st.x, s.st.y);
+    if (map_layers > 3) n = normalize(2.0 * (map_trap == 2 ? decoded(stored(3, s.st)) : stored(3, s.st)) - 1.0);
+    vec3 to_lamp = vec3(light_x, light_y, 1.1) - s.position, l = normalize(to_lamp), v = s.v, r = 2.0 * dot(n, v) * n - v;
+    float n_dot_l = max(dot(n, l), 0.0), x = 1.0 - 0.5 * length(l + v), x5 = x * x * x * x * x;
+    vec3 fresnel = f0 + (1.0 - f0) * x5;
+    vec3 f = cook_torrance_dg(n, l, v, m) * fresnel + albedo * body_coupled(n_dot_l, dot(n, v), 1.0, 0.04);
+    float even = mix(0.10, 0.30, smoothstep(-2.0 * m, 2.0 * m, r.y - 0.35)); // a dim room, lighter at its far end
+    vec3 light = f * n_dot_l * 5.0 / dot(to_lamp, to_lamp) + even * (0.9 * f0 + 0.5 * albedo);
+    return 1.0 - exp(-light);
+}
+
+vec3 lamp() { return vec3(light_x, light_y, 1.1); }
+
+vec3 here() { return surface_point(4, vec2(map_s, map_t)); }
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return mix(vec3(light_x, light_y, 0.0), lamp(), t);
+    if (mark == 1) return here() + 0.055 * vec3(cos(2.0 * PI * t), sin(2.0 * PI * t), 0.05);
+    vec2 at = vec2(cos(2.0 * PI * t), sin(2.0 * PI * t)) * 0.02;
+    return surface_point(2, vec2(map_s, map_t)) + vec3(at, 0.01);
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(lamp(), 1.0);
+    if (i == 1) return vec4(here(), 1.0);
+    return vec4(surface_point(i - 2, vec2(0.5, 0.0)) + vec3(0.0, -0.08, 0.0), 1.0);
+}
+""",
+        surfaces=(*(Surface(f"{name} map", cells=(1, 1)) for name in ("albedo", "F0", "roughness", "normal")),
+                  Surface("plate", cells=(1, 1))),
+        marks=(Mark("lamp", colour="l", line="dotted", tip="sun"), Mark("point", colour="exact", segments=32, width=1.4),
+               Mark("point on the map", colour="exact", segments=24)),
+        labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
+        handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
+        legend=(("l", "colour: decode"), ("v", "number: as it is")),
+        camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
+    ),
+    plot=(
+        Curves(
+            title="Roughness along the row of the point", sweep="map_s", y_label="roughness m",
+            curves=(Curve("as stored", Term("stored_roughness")),
+                    Curve("read as sRGB", Term("roughness_as_srgb"), role="printed")),
+        ),
+        Curves(
+            title="What a stored number costs, read wrongly", sweep="encoded", y_label="times too large", y_scale="log",
+            curves=(Curve("highlight of a roughness, decoded", Term("peak_gain"), role="printed"),
+                    Curve("a colour, not decoded", Term("srgb_gap"), role="estimate")),
+        ),
+    ),
+    readouts=(
+        Readout("m at the point", Term("stored_roughness"), role="exact", unit=""),
+        Readout("m, read as sRGB", Term("roughness_as_srgb"), role="printed", unit="", against="m at the point"),
+        Readout("the highlight's peak then", Term("peak_gain_at"), unit="times"),
+    ),
+    ask=Prediction(
+        question="A roughness map stores 0.5, and the program decodes it as if it were an sRGB colour. How many times too bright is the "
+                 "middle of the highlight?",
+        truth=Term("peak_gain", {"encoded": 0.5}),
+        unit="times", low=1.0, high=100.0, scale="log",
+        sets={"map_trap": 1},
+        told="5.5 times: 0.5 is decoded to 0.21, and the peak goes with 1 / m².",
+    ),
+    notes="""
+Switch the maps on one by one and let the class say what each one changed before you name it; roughness is the one they
+miss until the lamp moves. Then choose a trap without telling which, and ask what is wrong with the plate. Common wrong
+answer: nothing, it is just wetter; that is why the mistake lives for years in projects. Rule to take home: if a person would
+pick it in a colour picker, decode it; if it enters a formula as it is, do not. Half a grey ramp is another proof: mean the
+stored values, mean the light, compare. 6 minutes.
+""",
+    sources=("Deck, slide Plausible Shading - Texturing", "IEC 61966-2-1", "Deck, slide Distribution Term (2): the peak of D"),
+    honesty="The maps are formulas of this page, not scans. Numbers are exact. The picture has one point light, an even room in place "
+            "of mirror images, V-groove masking of the mean normal, no shadows in the relief, and light bent to the screen.",
+    values=(Value("map_layers", 4, choices=("none", "albedo", "F(0)", "rough", "normal")),
+            Value("map_trap", 0, choices=("nothing", "roughness", "normals", "colours")),
+            Value("light_x", 0.55, low=-0.8, high=1.6, more=True), Value("light_y", 0.45, low=-1.2, high=1.4, more=True),
+            Value("map_s", 0.42, more=True), Value("map_t", 0.55, more=True), Value("encoded", 0.5, low=0.02, more=True)),
+    minutes=6,
+)
+
 BODY_PYTHON = """import numpy as np
 
 def body_coupled(n_dot_l, n_dot_v, rho, f0):
@@ -860,10 +973,17 @@ BODY_GLSL_SOLVED = BODY_GLSL_HEAD + """    vec2 c = vec2(n_dot_l, n_dot_v), x = 
 }
 """
 
+SCALE_HEAD_PYTHON = """import numpy as np
+
+def m_effective(m, bump_slope):
+    # The roughness m of a bumpy surface from afar; bump_slope is the bumps' RMS slope along one axis. Arrays (...).
+"""
+SCALE_HEAD_GLSL = "float m_effective(float m, float bump_slope) {\n"
+
 CHAPTER = Chapter(
     title="Plausible shading",
     idea="Right units, a balanced material and a camera make a picture one can believe.",
-    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE),
+    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE, TEXTURING),
     exercises=(
         Exercise(
             name="coated",
@@ -879,10 +999,28 @@ CHAPTER = Chapter(
                 Check({"n_dot_l": (0.05, 0.9), "n_dot_v": (0.6, 0.01), "rho": (0.9, 0.3), "f0": (0.08, 0.5)}, "grazing", hidden=True),
             ),
         ),
+        Exercise(
+            name="from_afar",
+            function="m_effective",
+            task="Bumps too small to be seen become roughness: write m_eff. Mind along how many axes each slope is counted.",
+            slide=PLAUSIBLE("The Scale Effect"),
+            stubs={"python": SCALE_HEAD_PYTHON + "    return m + 0 * bump_slope\n",
+                   "glsl": SCALE_HEAD_GLSL + "    return m;\n}\n"},
+            solutions={"python": SCALE_HEAD_PYTHON + "    return np.sqrt(m**2 + 2 * bump_slope**2)\n",
+                       "glsl": SCALE_HEAD_GLSL + "    return sqrt(m * m + 2.0 * bump_slope * bump_slope);\n}\n"},
+            checks=(
+                Check({"m": (0.1, 0.1), "bump_slope": (0.2, 0.05)}, "a polished mirror with bumps"),
+                Check({"m": (0.3, 0.3), "bump_slope": (0.0, 0.01)}, "no bumps, and hardly any"),
+                Check({"m": (0.5, 0.02), "bump_slope": (0.4, 0.3)}, "rough, and nearly smooth", hidden=True),
+            ),
+        ),
     ),
     terms={
         "coat": "a clear layer that mirrors the share F and lets the rest through, in and out",
         "body": "what lies under the coat and sends light back evenly: paint, pigment, skin",
+        "slope variance": "the mean square of slopes along one axis; those of facets and bumps add when a pixel hides both",
+        "aliasing": "what a pixel shows that looks at one place for all of its own: sparkle, moiré, crawling",
+        "sRGB": "how colours are stored: close to what the eye tells apart, not proportional to light",
         "F_avg": "the share of even light that a coat mirrors: F₀ + (1 - F₀) / 21 by Schlick's fit",
     },
 )

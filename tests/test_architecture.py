@@ -47,7 +47,7 @@ PARTS = {
     "Basic Concepts": 0, "Basic Radiometric Quantities (1)": 0, "Light Sources": 0, "Units for Lighting - Watts": 0,
     "BRDF – The Reflectance Equation (1)": 0, "The Torrance – Sparrow Microfacet Model (1)": 0,
     "Cook – Torrance – Fresnel Term (1)": 0, "Cook – Torrance – Geometric Term (1)": 0,
-    "Cook Torrance – Comparison (1)": 1,
+    "Cook Torrance – Comparison (1)": 0,
 }
 
 

@@ -113,6 +113,7 @@ def low_high(found, name: str, end: str):
 
 NO_NUMBER = {  # a formula without a value is shown on purpose, and said in words
     "brdfs/properties": lambda values: values["flaw"] == 5 and 0 in (values["theta_l"], values["theta_v"]),
+    "lights/area_units": lambda values: 0 in (values["panel_width"], values["panel_depth"]),
 }
 MEANT = {  # negative light is shown on purpose, drawn as such and counted
     "lights/distribution": lambda values: values["radiant_flux"] < 0,
@@ -159,7 +160,35 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     assert len(colours) > 20, "the picture is nearly of one colour"
 
 
+def test_phong_s_links_show_what_they_promise():
+    """As printed: f grows beyond 1 in low light, and another f for light and eye swapped."""
+    from app.optics import twin
+
+    found = catalog.step("brdfs/phong")
+    at = {link.words: defaults(found) | parse_query(link.target[1:], found)[0]
+          for link in prose.links(found.step.prose)}
+    f = twin("highlight_brdf")
+    low, swap = at["low light"], at["swapping"]
+    assert f(**low) > 5 * f(**defaults(found))
+    assert f(**swap | {"theta_l": swap["theta_v"], "theta_v": swap["theta_l"]}) > 2 * f(**swap)
+
+
+@pytest.mark.parametrize("agree", [False, True])
+def test_a_crease_is_a_line_even_where_light_and_eye_agree(agree, ctx):
+    """Masking and shadowing are then the same all over, and not a crease all over."""
+    found = catalog.step("geometry_term/combined")
+    values = defaults(found) | ({"theta_l": 1.2, "theta_v": 1.2, "phi": 0.0} if agree else {})
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), None)
+    stage.draw(values, found.step.scene.camera, (256, 256), THEMES["dark"])
+    pixels = stage.pixels().reshape(-1, 3).astype(int)
+    stage.release()
+    white = np.mean(np.all(pixels > 225, axis=1))
+    assert 0.002 < white < 0.05
+
+
 UNDER_SKY = {"zenith_radiance": 1.0, "sun_radiance": 25.0, "k_d": 0.2, "k_s": 0.7, "exponent": 40.0}
+PLATE = {"model": 1, "theta_l": math.radians(70), "theta_v": math.radians(40), "phi": math.pi, "k_d": 0.6, "k_s": 0.3,
+         "exponent": 20.0}
 SWAP = {"model": 0, "phi": 2.5, "k_d": 0.0, "k_s": 1.0, "exponent": 20.0}
 TWO_METRES = {"light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5,
               "panel_width": 2.0, "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0)}
@@ -237,27 +266,38 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"theta_v": math.radians(22), "radiance": 1.0, "flaw": 0, "k_d": 0.6, "k_s": 0.3, "exponent": 20.0, "weight": 0}),
     ("brdfs/properties", "f = 1/π, gives 2 without", 2, 1e-12, "hemisphere_meter",
      {"theta_v": 0.0, "radiance": 1.0, "flaw": 0, "k_d": 1.0, "k_s": 0.0, "exponent": 20.0, "weight": 0}),
-    ("brdfs/lambert", "1/π = 0.318", 0.318, 5e-4, "brdf_lambert",
-     {"n": (0, 0, 1), "l": (0, 0, 1), "v": (0, 0, 1), "rho": 1.0}),
+    ("brdfs/properties", "its radiance is 0.086", 0.086, 5e-4, "highlight_share", PLATE),
+    ("brdfs/properties", "More: 0.19", 0.19, 0.005, "highlight_share",
+     PLATE | {"theta_l": PLATE["theta_v"], "theta_v": PLATE["theta_l"]}),
+    ("brdfs/properties", "f is 0.25 both ways", 0.25, 5e-4, "highlight_brdf", PLATE),
+    ("brdfs/lambert", "π sin² 60°", 0.75 * math.pi, 1e-12, "projected_solid_angle_cone", {"half_angle": math.pi / 3}),
+    ("brdfs/lambert", "is half of the sky: π", math.pi, 1e-12, "solid_angle_cone", {"half_angle": math.pi / 3}),
     ("brdfs/lambert", "The dome has $2\\pi$", 2 * math.pi, 1e-12, "solid_angle_cone", {"half_angle": math.pi / 2}),
     ("brdfs/phong", "2.23: more than twice", 2.23, 0.005, "highlight_flux",
      {"model": 0, "theta_l": math.radians(85), "k_d": 0.0, "k_s": 1.0, "exponent": 5.0}),
     ("brdfs/phong", "1.2e-5 against", 1.2e-5, 5e-7, "highlight_brdf", SWAP | {"theta_l": 0.3, "theta_v": 1.2}),
     ("brdfs/phong", "against 3.2e-5", 3.2e-5, 5e-7, "highlight_brdf", SWAP | {"theta_l": 1.2, "theta_v": 0.3}),
-    ("brdfs/blinn", "5.8 times: 1/cos 80°", 5.8, 0.05, "highlight_stretch", {"theta_v": math.radians(80)}),
-    ("brdfs/normalisation", "[Exponent 5](?exponent=5): twice", 2.0, 0.1, "lobe_flux_blinn",
+    ("brdfs/blinn", "26°. Up and down", math.radians(26), math.radians(0.5), "halfway_angle",
+     {"theta_l": math.radians(80), "theta_v": math.radians(80), "phi": math.radians(170)}),
+    ("brdfs/blinn", "turns half as far as the eye; aside", math.radians(5), 1e-12, "halfway_angle",
+     {"theta_l": math.radians(80), "theta_v": math.radians(70), "phi": math.pi}),
+    ("brdfs/blinn", "5.8 times as long as wide: 1/cos 80°", 5.8, 0.05, "highlight_stretch",
+     {"theta_v": math.radians(80)}),
+    ("brdfs/normalisation", "[exponent 5](?exponent=5&k_s=1) gives twice", 2.0, 0.1, "lobe_flux_blinn",
      {"theta_v": 0.0, "exponent": 5.0}),
     ("brdfs/normalisation", "a fortieth", 1 / 40, 1e-4, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 1000.0}),
     ("brdfs/normalisation", "sends back 1.5 times", 1.5, 0.05, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 10.0}),
     ("brdfs/normalisation", "0.24. The peak stayed", 0.24, 0.005, "lobe_flux_blinn",
      {"theta_v": 0.0, "exponent": 100.0}),
-    ("brdfs/blinn_phong_brdf", "0.265. Nothing", 0.265, 5e-4, "albedo_blinn_phong",
+    ("brdfs/blinn_phong_brdf", "0.515. Nothing", 0.515, 5e-4, "albedo_blinn_phong",
+     {"theta_v": math.pi / 3, "exponent": 5.0}),
+    ("brdfs/blinn_phong_brdf", "At exponent 100 it is 0.265", 0.265, 5e-4, "albedo_blinn_phong",
      {"theta_v": math.pi / 3, "exponent": 100.0}),
     ("brdfs/blinn_phong_brdf", "3.14 at exponent 0", 3.14, 0.005, "lobe_flux_blinn", {"theta_v": 0.0, "exponent": 0.0}),
     ("brdfs/why_physical", "1.3 times the light", 1.3, 1e-12, "complaint_model", {"complaint": 0, "theta": 0.0}),
     ("brdfs/why_physical", "from 0.04 to 1", 0.04, 5e-4, "complaint_truth", {"complaint": 1, "theta": 0.0}),
     ("brdfs/why_physical", "0.37 of the blue", 0.37, 0.005, "complaint_truth", {"complaint": 2, "theta": 0.0}),
-    ("brdfs/why_physical", "0.75. At the rim", 0.75, 0.005, "complaint_truth",
+    ("brdfs/why_physical", "0.75, and all of it at 90°", 0.75, 0.005, "complaint_truth",
      {"complaint": 2, "theta": math.radians(85)}),
     ("microfacets/grooves", "6.9 cm", 6.9, 0.05, "resolved_distance", {"groove_width": 20.0}),
     ("microfacets/facets", "one in 300", 10000 / 300, 2, "facets_lit",
@@ -321,20 +361,37 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
      {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(75)}),
     ("geometry_term/shadowing", "Of each facing side 0.42 is lit and seen", 0.42, 0.005, "groove_open",
      {"facet": math.pi / 4, "lean_l": math.radians(75), "lean_v": math.radians(30)}),
+    ("geometry_term/combined", "0.13: 2 cos² 75°", 2 * math.cos(math.radians(75)) ** 2, 1e-12, "vgroove_at",
+     {"theta_l": math.radians(75), "theta_v": math.radians(75), "phi": 0.0}),
+    ("geometry_term/combined", "Up to 45° nothing is lost", 1.0, 1e-12, "vgroove_at",
+     {"theta_l": math.pi / 4, "theta_v": math.pi / 4, "phi": 0.0}),
     ("geometry_term/with_without", "1.53 times what it gets", 1.53, 0.005, "albedo_without_g",
      {"theta_v": math.radians(85), "m": 0.3}),
     ("geometry_term/with_without", "3.73 times. G keeps", 3.73, 0.005, "albedo_without_g",
      {"theta_v": math.radians(85), "m": 1.0}),
     ("geometry_term/with_without", "G keeps 0.97", 0.97, 0.005, "albedo_cook_torrance",
      {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
-    ("geometry_term/smith", "would show 2.15 times", 2.15, 0.005, "weak_furnace",
-     {"theta_v": math.radians(80), "m": 1.0, "geometry": 0}),
-    ("geometry_term/smith", "product keeps 0.906", 0.906, 5e-4, "albedo_smith",
+    ("geometry_term/smith", "every good $G_1$ gives **1**", 1.0, 1e-6, "weak_furnace",
+     {"theta_v": math.radians(80), "m": 1.0, "geometry": 3}),
+    ("geometry_term/smith", "0.906. The test counts", 0.906, 5e-4, "albedo_smith",
      {"theta_v": math.radians(85), "m": 1.0, "geometry": 2}),
-    ("geometry_term/smith", "heights 0.959", 0.959, 5e-4, "albedo_smith",
+    ("geometry_term/smith", "Heights keep 0.959", 0.959, 5e-4, "albedo_smith",
      {"theta_v": math.radians(85), "m": 1.0, "geometry": 3}),
     ("geometry_term/smith", "V-grooves 0.969", 0.969, 6e-4, "albedo_cook_torrance",
      {"theta_v": math.radians(85), "m": 1.0, "f0": 1.0}),
+    ("plausible_shading/board", "7.0 times. D and G", 7.0, 0.05, "mirror_gain", {"theta": math.pi / 3, "f0": 0.04}),
+    ("plausible_shading/scale", "this one evaluation misses 2 %", 0.02, 0.005, "filter_error",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "random places need 12 000", 12_000, 500, "samples_worth",
+     {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "give D = 3.60 in the middle", 3.60, 0.005, "d_bumps", {"m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "forgotten bumps 31.8", 31.8, 0.05, "d_unfiltered", {"theta_h": 0.0, "m": 0.1}),
+    ("plausible_shading/scale", "Toksvig 4.08", 4.08, 0.005, "d_toksvig",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/scale", "m_eff 3.54", 3.54, 0.005, "d_filtered",
+     {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
+    ("plausible_shading/texturing", "0.5 becomes 0.21", 0.21, 0.005, "srgb_to_linear", {"encoded": 0.5}),
+    ("plausible_shading/texturing", "grows 5.5 times", 5.5, 0.05, "peak_gain", {"encoded": 0.5}),
     ("plausible_shading/compare", "20 times. The mirror's", 20, 0.5, "gain_cook_torrance",
      {"theta_d": math.radians(75), "material": 2, "channel": 0}),
     ("plausible_shading/compare", "from 0.05 to 0.27", 0.27, 0.005, "material_share",

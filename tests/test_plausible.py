@@ -1,10 +1,13 @@
 """Plausible shading: a body under a coat by second ways, and the numbers of the optics reference."""
 
+import re
+
 import numpy as np
 import pytest
 from scipy.integrate import dblquad
 
 from app.badges import check
+from app.catalog import step
 from app.furnace import albedo
 from app.optics import twin
 from app.optics.spherical import direction
@@ -59,6 +62,14 @@ def test_the_share_let_through_keeps_its_digits_at_grazing():
     assert float(twin("passed_share")(1e-9, 0.04)) == pytest.approx(0.96 * 5e-9, rel=1e-7)
     c = np.linspace(0, 1, 50)
     assert np.allclose(twin("passed_share")(c, 0.2), 1 - twin("f_schlick")(c, 0.2), atol=1e-15)
+
+
+def test_the_fit_that_the_second_ball_is_drawn_with():
+    theta = np.linspace(0, np.pi / 2, 91)
+    c = np.cos(theta)
+    fit = re.search(r"halfway_lost\(float c\) { return (.*?); }", step("plausible_shading/energy").step.scene.glsl)[1]
+    off = 0.83 * (1 - eval(fit, {"c": c})) - twin("albedo_body")(theta, 1.0, 0.17, 1)
+    assert 1e-5 < np.max(abs(off)) < 2e-4
 
 
 # --- from the lamp to the pixel --------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from app.optics.beckmann import d_beckmann_slope
 from app.optics.board import dgf_at, mirror_gain
 from app.optics.cook_torrance import cook_torrance_at
 from app.optics.filter import toksvig_exponent
+from app.optics.maps import map_pattern, peak_gain, peak_gain_at, roughness_as_srgb, srgb_gap, stored_roughness
 from app.optics.scale_effect import (
     aliasing_error,
     bump_kept,
@@ -24,8 +25,8 @@ from app.optics.scale_effect import (
     m_effective,
     m_pixel,
     normal_shortfall,
-    sampling_error,
     samples_worth,
+    sampling_error,
 )
 
 PAIRS = [(0.1, 0.2), (0.3, 0.05), (0.05, 0.4), (1.0, 1.0), (0.7, 0.3)]
@@ -140,7 +141,8 @@ def test_corner_normals(shape, off):
     found = corner_normals(triangles)
     assert np.linalg.norm(found, axis=-1) == pytest.approx(1.0, abs=1e-12)
     flat = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    exact = triangles if shape == "sphere" else np.repeat(flat[:, None] / np.linalg.norm(flat, axis=-1)[:, None, None], 3, 1)
+    flat = np.repeat((flat / np.linalg.norm(flat, axis=-1, keepdims=True))[:, None], 3, 1)
+    exact = triangles if shape == "sphere" else flat
     assert np.abs(found - exact).max() <= off + 1e-12
     shuffled = np.random.default_rng(1).permutation(len(triangles))
     assert corner_normals(triangles[shuffled]) == pytest.approx(found[shuffled], abs=1e-12)
@@ -149,3 +151,24 @@ def test_corner_normals(shape, off):
 def test_the_shader_counts_the_same(ctx):
     args = {"theta_h": np.array([0.0, 0.2]), "m": 0.1, "bump_slope": 0.2, "facets": np.array([10000, 10000])}
     assert evaluate("d_bumps_counted", args, ctx=ctx) == pytest.approx(d_bumps_counted(**args), rel=1e-5)
+
+
+# --- maps ------------------------------------------------------------------------------------------------------------
+def test_a_roughness_read_as_a_colour():
+    """The peaks of D themselves, and the decoding once more in mpmath."""
+    stored = np.array([0.02, 0.2, 0.5, 0.9])
+    wrong = [float(mpmath.mpf(x) / 12.92 if x <= 0.04045 else ((mpmath.mpf(x) + 0.055) / 1.055) ** 2.4) for x in stored]
+    peaks = [d_beckmann_slope(0.0, m) for m in (np.array(wrong), stored)]
+    assert peak_gain(stored) == pytest.approx(peaks[0] / peaks[1], rel=1e-12)
+    assert srgb_gap(stored) == pytest.approx(stored / wrong, rel=1e-12)
+    assert srgb_gap(np.array([0.0, 1.0])) == pytest.approx([12.92, 1.0])
+
+
+def test_the_maps_of_the_plate():
+    s, t = np.meshgrid(np.linspace(0, 1, 301), np.linspace(0, 1, 301))
+    gilt, stored = map_pattern(s, t), stored_roughness(s, t)
+    assert 0.3 < gilt.mean() < 0.6 and gilt.min() == 0 and gilt.max() == 1
+    assert 0.15 < stored.min() < 0.2 and 0.55 < stored.max() < 0.65
+    assert np.all(roughness_as_srgb(s, t) < stored)
+    here = 0.4, 0.6
+    assert peak_gain_at(*here) == pytest.approx((stored_roughness(*here) / roughness_as_srgb(*here)) ** 2, rel=1e-12)

@@ -8,6 +8,7 @@ from app.gpu.pick import pick
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.lesson import Camera, Dots, Label, Mark, Surface
+from app.meshes import built_in
 from app.problem import Problem
 from lessons.ch01_solid_angle import PATCH
 from tests.stage_help import ABOVE, BACKGROUND, DARK, SQUARE, build, drawn, is_alive, on_screen, picture, rays, watch
@@ -104,6 +105,30 @@ def test_a_pick_names_the_face_of_a_mesh(ctx):
     above = {f for f, triangle in enumerate(cube()) if np.all(triangle[:, 2] > 0.5)}
     found = [pick(stage, {}, ABOVE, DARK, at) for at in ((0.4, 0.45), (0.6, 0.55), (0.6, 0.45), (0.4, 0.55))]
     assert {p.face for p in found if p} == above and all(p and p.radiance[0] == p.face for p in found)
+
+
+SMOOTH = """
+#include "stage/corner_normal.glsl"
+vec3 mesh_point(int surface, vec3 p) { return p; }
+vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
+vec3 shade(Surface s) { return 0.5 + 0.5 * normalize(s.value.xyz); }
+"""
+
+
+def test_a_mesh_has_smooth_normals_where_a_scene_asks_for_them(ctx):
+    """A sphere of triangles is lit as the sphere itself, to what its flat faces hide; no other scene pays for it."""
+    sphere = built_in("sphere").triangles
+    stage = build(SMOOTH, triangles=sphere, surfaces=(Surface("sphere", mesh=True),))
+    picture(stage, camera=SIDE)
+    for x, y in ((0.5, 0.5), (0.45, 0.6), (0.58, 0.42)):
+        found = pick(stage, {}, SIDE, DARK, (x, y))
+        position = np.array(found.position)
+        normal = 2 * np.array(found.radiance) - 1
+        assert normal == pytest.approx(position / np.linalg.norm(position), abs=3e-3)
+        a, b, c = sphere[found.face]
+        flat = np.cross(b - a, c - a)
+        assert np.abs(normal - flat / np.linalg.norm(flat)).max() > 3e-3, "the face itself is turned"
+    assert "normals" in stage.data and "normals" not in spheres().data
 
 
 def test_one_looks_through_a_surface_with_opacity(ctx):

@@ -15,8 +15,8 @@ def schlick_at(theta_l, theta_v, phi, f0):
 
     f_schlick(l.h, f0)
 
-    theta_l, theta_v, phi (...) rad, f0 (...). Returns (...) 0 .. 1. Errors: those of Schlick's fit. Source: deck, Fresnel
-    Term (1).
+    theta_l, theta_v, phi (...) rad, f0 (...). Returns (...) 0 .. 1. Errors: those of Schlick's fit.
+    Source: deck, Fresnel Term (1).
     """
     return f_schlick(half_cosines(theta_l, theta_v, phi)[..., 3], f0)
 
@@ -26,7 +26,8 @@ def dg_at(theta_l, theta_v, phi, m):
 
     D(h) G, Beckmann's D and the G of V-grooves
 
-    theta_l, theta_v, phi (...) rad, m (...) RMS slope. Returns (...) 1/sr. Errors: none. Source: deck, Geometric Term (1).
+    theta_l, theta_v, phi (...) rad, m (...) RMS slope. Returns (...) 1/sr. Errors: none.
+    Source: deck, Geometric Term (1).
     """
     return d_halfway(theta_l, theta_v, phi, m) * vgroove_at(theta_l, theta_v, phi)
 

@@ -38,7 +38,7 @@ def bump_kept(bumps):
 
     e^(-(pi p)^2 / 6), p = bumps / 600 per pixel: a wave, seen through a Gaussian as wide as a square pixel
 
-    bumps (...) side by side across the ball. Returns (...) 0 .. 1. Errors: a square pixel itself gives sin(pi p) / pi p.
+    bumps (...) side by side across the ball. Returns (...) 0 .. 1. Errors: a square pixel itself has sin(pi p) / pi p.
     Source: the Fourier transform of a Gaussian of variance 1/12 of a pixel.
     """
     return np.exp(-((pi * np.asarray(bumps, float) / PIXELS) ** 2) / 6)
@@ -131,8 +131,8 @@ def normal_shortfall(bump_slope):
 
     1 - int_0^inf e^(-u) / sqrt(1 + S u) du, S = 2 sigma^2, as the mean of t / (w (1 + w)), t = S u, w = sqrt(1 + t)
 
-    bump_slope sigma (...). Returns (...) 0 .. 1. Errors: 1e-14. Source: Toksvig 2005; 24 Gauss-Legendre nodes for each of
-    three pieces of x, u = x^2, up to 6.5.
+    bump_slope sigma (...). Returns (...) 0 .. 1. Errors: 1e-14. Source: Toksvig 2005; 24 Gauss-Legendre nodes for each
+    of three pieces of x, u = x^2, up to 6.5.
     """
     slopes = 2 * np.asarray(bump_slope, float)[..., None] ** 2
     total = 0.0
@@ -167,7 +167,7 @@ def aliasing_error(m, bump_slope):
     Source: derived for this course, as d_bumps.
     """
     facets, slopes = _variances(m, bump_slope)
-    both, q = _narrowed(m, bump_slope)
+    _, q = _narrowed(m, bump_slope)
     p = facets / (facets + 2 * slopes) * slopes
     less = q / (facets + 2 * slopes) * slopes  # q - p
     mean = (1 + 2 * q * (1 + q)) ** 2

@@ -78,7 +78,8 @@ class BadgesPanel:
             if badge is None:
                 imgui.set_tooltip(shown if isinstance(shown, str) else "on its way")
             else:
-                imgui.set_tooltip(told(name, badge) + ("\nClick to go there." if badge.at else ""))
+                goes = badge.at.keys() & values.keys()  # a step without these angles has no such place
+                imgui.set_tooltip(told(name, badge) + ("\nClick to go there." if goes else ""))
 
     def badge(self, id: str, badge: Badge | None, faded: bool) -> None:
         """A round one with a tick, a square one with a cross, or an empty ring; never by colour alone."""

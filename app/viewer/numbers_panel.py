@@ -32,7 +32,7 @@ def line(number: Number, theme: Theme, hidden: bool) -> None:
     imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
     imgui.text_wrapped(number.label)
     imgui.table_next_column()
-    imgui.text("?" if hidden else number.text)
+    imgui.text_wrapped("?" if hidden else number.text)
     if imgui.is_item_hovered() and not hidden:
         imgui.set_tooltip(number.full_text)
     imgui.table_next_column()

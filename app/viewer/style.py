@@ -2,6 +2,7 @@
 
 from imgui_bundle import ImVec2, ImVec4, hello_imgui, imgui
 
+from app.fonts import font_files
 from app.theme import Theme, colour, rgb
 
 Rgb = tuple[float, float, float]
@@ -50,6 +51,9 @@ def load_font() -> None:
     merged = hello_imgui.FontLoadingParams()
     merged.merge_to_last_font = True
     hello_imgui.load_font("fonts/latex/latinmodern-math.otf", 16.0, merged)  # what Roboto lacks: arrows, ⊥, ≥
+    if files := font_files():  # and what both lack: ₀, ₁
+        merged.inside_assets = False
+        hello_imgui.load_font(str(files[0]), 16.0, merged)
 
 
 def apply(theme: Theme, height: float) -> None:

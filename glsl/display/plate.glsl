@@ -1,0 +1,16 @@
+#include "optics/maps.glsl"
+// A lacquered plate with a gilded ornament in relief, as four maps.
+
+float relief(vec2 s) { return 0.012 * smoothstep(0.0, 1.0, map_pattern(s.x, s.y)); }
+
+// What the four files store at a place: albedo, F0, roughness and normal, each from 0 to 1
+vec3 stored(int map, vec2 s) {
+    float gilt = map_pattern(s.x, s.y);
+    if (map == 0) return mix(vec3(0.55, 0.10, 0.13), vec3(0.0), gilt);
+    if (map == 1) return mix(vec3(0.2216), vec3(1.0, 0.86, 0.57), gilt);
+    if (map == 2) return vec3(stored_roughness(s.x, s.y));
+    vec2 d = vec2(relief(s + vec2(0.004, 0.0)), relief(s + vec2(0.0, 0.004))) - relief(s);
+    return 0.5 + 0.5 * normalize(vec3(-d / 0.008, 1.0)); // the plate is 2.04 wide, about
+}
+
+vec3 decoded(vec3 c) { return vec3(srgb_to_linear(c.r), srgb_to_linear(c.g), srgb_to_linear(c.b)); }
