@@ -46,8 +46,8 @@ vec3 aside() { return cross(up(), eye()); }
 # A ball seen from far away. Its picked point is theta_v from the eye's direction, upwards; the light stands over that
 # point as theta_l and phi say, and is as far away.
 BALL_GLSL = EYE_GLSL + """
-uniform float theta_l;
-uniform float phi;
+#include "display/balls.glsl"
+uniform float theta_l, phi;
 
 vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
 
@@ -55,6 +55,7 @@ vec3 lamp() {
     vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
     return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
 }
+vec4 surface_value(int surface, vec2 s) { return vec4(lamp(), 0.0); }
 """
 GOLD_GLSL = """
 #include "optics/fresnel.glsl"
@@ -470,7 +471,6 @@ Drag the $\colour{l}{\text{light}}$ [near the eye](?theta_l=55&phi=0), [to the s
     scene=Scene(
         glsl=BALL_GLSL + """
 #include "optics/vgroove.glsl"
-#include "optics/spherical.glsl"
 #include "display/palette.glsl"
 
 const float SIZE = 1.5;
@@ -480,7 +480,7 @@ vec3 centre(int ball) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface < 2) return centre(surface) + SIZE * sphere_point(s.x, s.y);
+    if (surface < 2) return cap_to_eye(s, centre(surface), SIZE);
     return (1.6 + 0.2 * s.x) * aside() + (2.1 * s.y - 2.75) * up();
 }
 
@@ -495,7 +495,7 @@ float off_crease(vec4 c) {
 
 vec3 shade(Surface s) {
     if (s.id == 2) return colormap(s.st.y);
-    vec3 n = (s.position - centre(s.id)) / SIZE, v = eye(), l = lamp(), both = l + v;
+    vec3 n = ball_normal((s.position - centre(s.id)) / SIZE, s.v), v = eye(), l = s.value.xyz, both = l + v;
     float size = length(both);
     vec4 c = vec4(dot(n, both) / size, dot(n, v), dot(n, l), 0.5 * size);
     float branch = g_branch(c.x, c.y, c.z, c.w), line = smoothstep(0.6, 1.8, off_crease(c));
@@ -524,7 +524,7 @@ vec4 probe(int i) {
     return vec4(2.05 * aside() + (i == 4 ? -2.75 : -0.65) * up(), 1.0);
 }
 """,
-        surfaces=(Surface("map", cells=(64, 32)), Surface("G", cells=(64, 32)), Surface("scale", cells=(1, 16))),
+        surfaces=(Surface("map", cells=(64, 3)), Surface("G", cells=(64, 3)), Surface("scale", cells=(1, 16))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("the same place", colour="exact", segments=24, width=1.2)),
         labels=(Label("which is the least", 2), Label("G", 3), Label("0", 4), Label("1", 5)),
@@ -600,13 +600,13 @@ vec3 centre(int ball) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface < 4) return centre(surface) + (surface == 0 ? SIZE : SMALL) * sphere_point(s.x, s.y);
+    if (surface < 4) return cap_to_eye(s, centre(surface), surface == 0 ? SIZE : SMALL);
     return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + (0.9 + 1.95 * (2.0 * s.y - 1.0)) * up();
 }
 
 vec3 shade(Surface s) {
     if (s.id == 4) return vec3(0.010, 0.013, 0.02) * (0.4 + 1.6 * s.st.y);
-    vec3 n = (s.position - centre(s.id)) / (s.id == 0 ? SIZE : SMALL), l = lamp(), v = s.v, both = l + v;
+    vec3 n = ball_normal((s.position - centre(s.id)) / (s.id == 0 ? SIZE : SMALL), s.v), l = s.value.xyz, v = s.v, both = l + v;
     float n_dot_l = dot(n, l), n_dot_v = dot(n, v), size = length(both);
     vec3 dark = vec3(0.035, 0.03, 0.025) * (0.5 + 0.5 * max(n_dot_v, 0.0));
     if (min(n_dot_l, n_dot_v) <= 0.0) return dark;
@@ -632,8 +632,8 @@ vec4 probe(int i) {
     return vec4(centre(0) + (i == 5 ? -1.0 : 1.0) * 1.4 * aside() - 2.1 * up(), 1.0);
 }
 """,
-        surfaces=(Surface("gold", cells=(72, 36)), Surface("D", cells=(40, 20)), Surface("G", cells=(40, 20)),
-                  Surface("F", cells=(40, 20)), Surface("dark room", cells=(1, 1))),
+        surfaces=(Surface("gold", cells=(64, 3)), Surface("D", cells=(40, 3)), Surface("G", cells=(40, 3)),
+                  Surface("F", cells=(40, 3)), Surface("dark room", cells=(1, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("divide", colour="quiet", line="dotted", segments=32)),
         labels=(Label("D", 2, "d"), Label("G", 3, "g"), Label("F", 4, "f"), Label("with G", 5),
@@ -713,25 +713,25 @@ vec3 centre(int ball) {
 }
 
 vec3 surface_point(int surface, vec2 s) {
-    if (surface < 4) return centre(surface) + SIZE * sphere_point(s.x, s.y);
-    if (surface == 8) return -1.2 * eye() + 3.5 * (2.0 * s.x - 1.0) * aside() + 3.1 * (2.0 * s.y - 1.0) * up();
+    if (surface < 4) return cap_to_eye(s, centre(surface), SIZE);
+    if (surface == 8) { // a square behind each ball: its edges are columns 1 and 2 of its four, the others join them
+        int column = int(15.0 * s.x + 0.5), k = column % 4;
+        vec2 corner = vec2(k < 2 ? -1.0 : 1.0, k == 0 || k == 3 ? 1.0 : 2.0 * s.y - 1.0);
+        return -1.2 * eye() + (centre(column / 4) + 1.2 * (corner.x * aside() + corner.y * up())) / 0.976; // seen as large
+    }
     int bar = surface - 4;
     float tall = min(weak_furnace(theta_v, m, bar), 1.7);
     return centre(bar) + (1.45 + 0.45 * s.x) * aside() + (ONE * tall * s.y - SIZE) * up();
 }
 
 vec3 shade(Surface s) {
-    if (s.id == 8) {
-        vec2 at = 0.976 * vec2(dot(s.position, aside()), dot(s.position, up())); // as far as the balls
-        if (max(abs(at.x - (at.x < -0.5 ? -2.2 : 1.2)), abs(at.y - (at.y > 0.0 ? 1.55 : -1.6))) > 1.2) discard;
-        return vec3(0.014, 0.018, 0.028);
-    }
+    if (s.id == 8) return vec3(0.014, 0.018, 0.028);
     if (s.id > 3) {
         float above = (dot(s.position - centre(s.id - 4), up()) + SIZE) / ONE;
         bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 4.0;
         return above <= 1.001 ? palette[COLOUR_V] : stripe ? palette[COLOUR_PRINTED] : 0.4 * palette[COLOUR_PRINTED];
     }
-    vec3 n = (s.position - centre(s.id)) / SIZE, l = lamp(), v = s.v, both = l + v;
+    vec3 n = ball_normal((s.position - centre(s.id)) / SIZE, s.v), l = s.value.xyz, v = s.v, both = l + v;
     vec3 dark = vec3(0.035, 0.03, 0.025) * (0.5 + 0.5 * max(dot(n, v), 0.0));
     return film(dark + 2.2 * brdf_geometry(n, l, v, m, 1.0, s.id) * max(dot(n, l), 0.0) * mirrored(both));
 }
@@ -750,8 +750,8 @@ vec4 probe(int i) {
     return vec4(centre(1) + 2.2 * aside() + (ONE - SIZE) * up(), 1.0);
 }
 """,
-        surfaces=(*(Surface(name, cells=(64, 32)) for name in TERMS), *(Surface(f"{name}, sum", cells=(1, 1)) for name in TERMS),
-                  Surface("dark room", cells=(1, 1))),
+        surfaces=(*(Surface(name, cells=(64, 3)) for name in TERMS), *(Surface(f"{name}, sum", cells=(1, 1)) for name in TERMS),
+                  Surface("dark room", cells=(15, 1))),
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                *(Mark(f"one {i}", colour="exact", line="dashed") for i in range(4))),
         labels=(Label("none", 2, "printed"), Label("V-groove", 3), Label("product", 4), Label("heights", 5),
