@@ -52,11 +52,15 @@ def test_a_step_has_all_of_a_step(found):
 
 @every_step
 def test_a_links_state_is_a_state_of_the_step(found):
-    for link in prose.links(found.step.prose):
-        if link.sets_values:
-            values, _ = parse_query(link.target.lstrip("?"), found)
-            assert set(values) <= set(found.values)
-            assert values != defaults(found), f"[{link.words}] changes nothing"
+    """And it changes something, or leads back from where another link or a hand has led."""
+    first = defaults(found)
+    links = {link.words: parse_query(link.target.lstrip("?"), found)[0] for link in prose.links(found.step.prose)
+             if link.sets_values}
+    changed = {name for values in links.values() for name in values if values[name] != first[name]}
+    changed |= {name for handle in found.step.scene.handles for name in handle.values}
+    for words, values in links.items():
+        assert set(values) <= set(found.values)
+        assert set(values) & changed, f"[{words}] changes nothing"
 
 
 @every_step
