@@ -4,8 +4,8 @@ pint checks that the factor's unit makes the one unit into the other. It counts 
 here (by its own rules sr is 1, and a lumen would be a candela).
 """
 
-from collections.abc import Iterator
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise

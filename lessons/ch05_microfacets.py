@@ -834,8 +834,7 @@ exponent 10 (m = 0.408) only 0.349 of the plate is there. 7 minutes.
     honesty="The facets' slopes are Beckmann's: a surface of random Gaussian heights, so only that formula fits the bars. They "
             "are evenly drawn, not by chance; counting still errs where a ring holds few. Gauss's constant is a quadrature.",
     values=(Value("m", 0.35, low=0.08, high=0.65), Value("theta_h", 20.0, low=0.0, high=85.0),
-            Value("ndf", 2, choices=("Gauss", "cosine lobe", "Beckmann", "GGX")),
-            Value("rows", 36, low=2, high=64)),
+            Value("ndf", 2, choices=("Gauss", "cosine lobe", "Beckmann", "GGX")), Value("rows", 36, low=2, high=64)),
     minutes=7,
 )
 

@@ -556,7 +556,7 @@ physics. That is why one has a diffuse term and the other must not. 6 minutes.
              "CIE 015:2004: D65 and the 1931 observer"),
     honesty="The Fresnel term is exact from measured indices, over twelve wavelengths for metals and one for insulators. "
             "The room that is mirrored and the colour inside the insulators are made up.",
-    values=(Value("material", 5, choices=MATERIAL_NAMES), Value("theta", 50.0), Value("channel", 2, choices=CHANNELS)),
+    values=(Value("material", 5, choices=MATERIAL_NAMES), Value("theta", 50.0), Value("channel", 1, choices=CHANNELS)),
     minutes=6,
 )
 

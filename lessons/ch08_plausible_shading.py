@@ -38,11 +38,11 @@ RED = {"material": 2, "channel": 0}
 COMPARE = Step(
     name="compare",
     title="Two models, one lamp: which is the photograph?",
-    idea="Head-on both models look alike; with the lamp behind, only Cook-Torrance brightens and whitens as real things do.",
+    idea="Head-on both highlights look alike; with the lamp behind, only Cook-Torrance's brightens and whitens as real ones do.",
     slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
     prose=r"""
-A metal vase, twice, and a plastic one, twice. Both times it has the same colour, the same width of highlight, the same peak
-with the lamp [beside the camera](?theta_d=5). Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
+A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
+[beside the camera](?theta_d=5) highlights of the same width and peak. Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
 **Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
 $\theta$ its highlight is
@@ -52,8 +52,8 @@ $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
 times the one head-on. Insulators win most: their $F$ has farthest to rise, so plastic in back light wears a bright white
 edge. Metals whiten: [gold](?material=gold&theta_d=75), [copper](?material=copper&theta_d=75).
 
-Cook and Torrance themselves drew copper vases, in 1982; until then copper came out as brown plastic. With
-[rougher ones](?m=0.4) the two models part less.
+Cook and Torrance themselves drew copper vases, in 1982; until then copper came out as brown plastic.
+[Rougher ones](?m=0.4) part the models as far: there is no $m$ in the quotient.
 """,
     scene=Scene(
         glsl="""
@@ -83,7 +83,10 @@ vec4 surface_value(int surface, vec2 s) {
     return vec4(clamp(f, 0.0, 1.0) * rough_room(n, v, m, surface > 1), 1.0);
 }
 
-vec3 lamp() { return vec3(-sin(2.0 * theta_d) * 0.94, -cos(2.0 * theta_d) * 0.94, 0.34); }
+const vec3 FRONT = vec3(0.0, -0.98768834, 0.15643447); // the eye, 9 degrees up
+const vec3 ASIDE = vec3(-0.90630779, 0.06611152, 0.41741543); // at right angles to it: left, and 25 degrees up
+
+vec3 lamp() { return cos(2.0 * theta_d) * FRONT + sin(2.0 * theta_d) * ASIDE; } // halfway it is theta_d from both
 
 vec3 shade(Surface s) {
     if (s.id == 4) return 0.55 * studio(-s.v);
@@ -96,21 +99,21 @@ vec3 shade(Surface s) {
     if (row < INSULATORS) {
         float left = cook ? 1.0 - f_dielectric(n_dot_v, material_eta(row)) : 1.0 - f0, in_out = 1.0 - f0;
         if (cook && lit) in_out = PI * body_coupled(n_dot_l, n_dot_v, 1.0, f0);
-        light += left * 0.6 * soft_light(RED_BODY, n, s.v) + RED_BODY * (0.5 * in_out * max(n_dot_l, 0.0));
+        light += left * 0.6 * soft_light(RED_BODY, n, s.v) + RED_BODY * (8.0 * m * m * in_out * max(n_dot_l, 0.0));
     }
     if (!lit) return light;
     float lobe = cook ? cook_torrance_dg(n, l, s.v, m)
                       : normalisation_blinn_phong(exponent_from_m(m)) * lobe_blinn(n, l, s.v, exponent_from_m(m));
     float u = cook ? 0.5 * length(l + s.v) : 1.0;
-    return light + clamp(f_material(u, row), 0.0, 1.0) * (n_dot_l * lobe * 8.0 * PI * m * m); // a mirror's peak shows as 2
+    return light + clamp(f_material(u, row), 0.0, 1.0) * (n_dot_l * lobe * 8.0 * PI * m * m); // 8 pi m^2 lx: a mirror's peak is 2
 }
 
-const vec3 TRACK = vec3(0.0, 0.0, 2.75);
+const vec3 TRACK = vec3(0.0, 0.0, 2.42);
 
 vec3 mark_point(int mark, float t) { // the lamp goes around the vases
-    if (mark == 0) return TRACK + 1.9 * t * normalize(vec3(lamp().xy, 0.0));
-    if (mark == 1) return TRACK + vec3(0.0, -1.9 * t, 0.0);
-    return TRACK + 1.9 * vec3(-sin(PI * t), -cos(PI * t), 0.0);
+    if (mark == 0) return TRACK + 1.4 * t * lamp();
+    if (mark == 1) return TRACK + 1.4 * t * FRONT;
+    return TRACK + 1.4 * (cos(0.88888889 * PI * t) * FRONT + sin(0.88888889 * PI * t) * ASIDE); // theta_d up to 80 degrees
 }
 
 vec4 probe(int i) {
@@ -145,7 +148,7 @@ vec4 probe(int i) {
             Model("Blinn-Phong", Term("brdf_matter_blinn", {"channel": 0}), "printed")),
     ask=Prediction(
         question="You photograph the red plastic vase, the lamp first beside the camera, then behind the vase, so that light and "
-                 "eye both stand 75° from the normal of the highlight. How bright is it in the second photograph?",
+                 "eye both stand 75° from the normal of the highlight. How bright is that highlight in the second photograph?",
         truth=Term("gain_cook_torrance", RED | {"theta_d": 75 * PI / 180}),
         unit="times",
         choices=(Choice("a quarter: the light comes at a slant", 0.0, 0.6), Choice("as bright as before", 0.6, 2.0),
@@ -154,8 +157,8 @@ vec4 probe(int i) {
         told="20 times. The mirror's share rises from 0.05 to 0.27, and cos θ divides once more. Blinn-Phong: a quarter.",
     ),
     notes="""
-Cover the labels, lamp beside the camera: nobody can tell the pairs apart. Walk the lamp behind and ask which vase of each pair
-they have seen in real life. Then the plot: at 75° two models with the same coefficients differ 77 times. Ask why
+Lamp beside the camera: by the highlights alone nobody can tell the pairs apart; what gives Blinn-Phong away is the room at the
+metal's rims, too dark. Walk the lamp behind and ask which vase of each pair they have seen in real life. Then the plot: at 75° two models with the same coefficients differ 77 times. Ask why
 insulators gain more than metals (a metal already reflects all it can), and why gold turns paler (blue
 gains more than red). The tempting answer is a quarter: the cosine is right, but the same cosine makes the facets look denser, twice: by
 n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes.
@@ -163,7 +166,8 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
     sources=("Deck, slides Cook Torrance - Comparison (1) and (2)", "Cook & Torrance 1982: the vases", "Johnson & Christy 1972, 1974; "
              "Rakic 1995; Sultanova 2009: indices"),
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
-            "F₀, the exponent 2/m² - 2. The room is a look, mirrored in 20 facets per corner. No shadows; no second bounces.",
+            "F₀, the exponent 2/m² - 2. The rougher, the stronger the lamp: peaks stay alike. The room is a look, mirrored in 20 "
+            "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
     values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
 )
 
@@ -173,7 +177,7 @@ HALVED = {"luminous_flux": 400.0, "distance": 0.8, "ev100": 4.4, "curve": 0}
 QUANTITIES = Step(
     name="quantities",
     title="One number, from the lamp to the pixel",
-    idea="From the lamp's lumens to the number in a file a value is converted six times, and each time its unit says by what.",
+    idea="From the lamp's lumens to the number in a file a value is converted six times; up to the sensor its unit says by what.",
     slides=("Working with Shading Models",),
     prose=r"""
 A renderer carries one number a long way. Here the lamp is in **lumens**, the picture is what a camera makes of the room,
@@ -183,7 +187,7 @@ $$\text{lm} \to \text{cd} \to \text{lx} \xrightarrow{\times f_s} \text{cd/m}^2 \
 \text{sensor} \to \text{screen} \to 0\dots255$$
 
 Up to cd/m² it is **physics**, and your BRDF is one factor in it. Then the camera: its *exposure* says which luminance fills
-the sensor. One [EV more](?ev100=7) halves the light.
+the sensor. One [EV more](?ev100=6) halves the light.
 
 The evening outside is far brighter than the desk. [Cut at 1](?curve=0&ev100=4) loses it; a **tone curve** like
 [Reinhard's](?curve=1&ev100=4) or the [ACES fit](?curve=2&ev100=4) bends instead. Last, sRGB stores about the square root: dark
@@ -252,7 +256,7 @@ vec4 probe(int i) {
     if (i == 1) return vec4(lamp() + vec3(-0.3, 0.0, 0.02), 1.0);
     if (i == 2) return vec4(UNDER + vec3(-0.2, 0.0, 0.55 * distance), 1.0);
     if (i == 3) return vec4(UNDER + vec3(-0.72, -0.1, 0.02), 1.0);
-    return vec4(UNDER + vec3(0.4, -0.33, 0.42), 1.0);
+    return vec4(UNDER + vec3(0.42, -0.33, 0.56), 1.0);
 }
 """,
         surfaces=(Surface("desk", cells=(1, 1)), Surface("wall", cells=(1, 1)), Surface("card", cells=(1, 1)),
@@ -280,7 +284,7 @@ vec4 probe(int i) {
             title="The white card's number against the lamp", sweep="luminous_flux",
             curves=(Curve("cut at 1", Term("card_stored", {"curve": 0})),
                     Curve("Reinhard", Term("card_stored", {"curve": 1}), role="estimate"),
-                    Curve("ACES fit", Term("card_stored", {"curve": 2}), role="printed")),
+                    Curve("ACES fit", Term("card_stored", {"curve": 2}), role="estimate", colour="#CC79A7")),
             y_label="stored, of 255",
         ),
     ),
@@ -319,7 +323,7 @@ MEASURING = Step(
     idea="Of a lamp one knows the flux; its intensity over r² is the irradiance it gives, and irradiances add up.",
     slides=(PLAUSIBLE("Measuring Light"),),
     prose=r"""
-Lamps are sold in lumens. Small ones send them out evenly, so
+Lamps are sold in lumens. These three send them out evenly, so
 
 $$I = \frac{\Phi}{4\pi}, \qquad E = \sum_k \frac{I_k}{r_k^2}\;(\colour{n}{n}\cdot\colour{l}{l_k})$$
 
@@ -455,7 +459,7 @@ as a point was chapter 2; a globe is one at any distance. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - Measuring Light", "optics reference, D5 and 2.3", "Lambert 1760"),
     honesty="Exact for globes that shine evenly; no shadows, nothing comes back from floor or wall. The floor shows lux by "
-            "powers of two. Lamps are shown as L / (L + 500 cd/m²); what else is in the mirror is a look.",
+            "powers of two; an arrow grows as E / (E + 60 lx), lamps shine as L / (L + 500 cd/m²). What else is in the mirror is a look.",
     values=(Value("luminous_flux", 800.0, low=50.0, high=3000.0), Value("source_radius", 0.1, low=0.03, high=0.2),
             Value("taken", 0, choices=("L, as it is", "I/r² as L")), Value("from_wall", 1.25), Value("along_wall", -0.45, more=True)), minutes=6,
 )
@@ -563,7 +567,7 @@ Cover the left halves first: which red ball is wrong? The class will not agree; 
 the left halves: three rims glow. Ask where the light comes from. At 85° the coat mirrors 0.65, so at most 0.35 may come out of the
 body; the factors in use leave it 0.91 and more, for they look at the light's angle, and light comes from everywhere. Why
 divide by 1 - F_avg? Light thrown back by the coat from within meets the white body again and gets another chance. Set F₀
-to 0.9 with ρ = 1: a metal with a body, 1.9 times the light. Metals swallow what enters, so ρ = 0. 6 minutes.
+to 0.9 with ρ = 1: a metal with a body, added up 1.9 times the light. Metals swallow what enters, so ρ = 0. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - BRDFs", "Shirley et al. 1997", "Kelemen & Szirmay-Kalos 2001", "optics reference, D13"),
     honesty="Shares are exact for a smooth coat with Schlick's F. Under a rough one, up to 1.003 comes back at 60°, and "
@@ -780,8 +784,8 @@ vec3 mark_point(int mark, float t) {
 vec4 probe(int i) {
     if (i == 0) return vec4(knob(), 1.0);
     if (i == 1) return vec4(sin(theta_h) * around(2.6) + 1.02 * eye(), 1.0);
-    if (i < 4) return vec4(-1.3 * up() + (i == 2 ? -1.0 : 0.95) * aside(), 1.0);
-    return vec4(i == 4 ? 1.0 * aside() + 0.72 * up() : i == 5 ? -1.12 * up() : -1.0 * aside() + 0.72 * up(), 1.0);
+    if (i < 4) return vec4(-1.3 * up() + (i == 2 ? -1.08 : 1.0) * aside(), 1.0);
+    return vec4(i == 4 ? 1.0 * aside() + 0.72 * up() : i == 5 ? -1.12 * up() : -1.08 * aside() + 0.72 * up(), 1.0);
 }
 """,
         surfaces=(Surface("filtered", cells=(24, 6)), Surface("N places", cells=(24, 6)), Surface("one place", cells=(24, 6))),
@@ -853,8 +857,8 @@ No surface is the same all over. Lay on one map after the other: [none](?map_lay
 A file stores numbers from 0 to 1. Which light do they mean? Albedo and $F_0$ are $\colour{l}{\text{colours}}$, stored as sRGB
 close to what the eye sees; **decode** them. Roughness and normals are $\colour{v}{\text{numbers}}$: read them **as they are**.
 
-The trap: read the [roughness as sRGB](?map_trap=1). 0.5 becomes 0.21, and $D(0) = 1/\pi m^2$ grows 5.5 times. Nothing fails,
-the plate only looks wet. Or the [normals](?map_trap=2): all lean the same way. Or leave the
+The trap: read the [roughness as sRGB](?map_trap=1). Decoding makes every number smaller, and $D(0) = 1/\pi m^2$ grows. Nothing
+fails, the plate only looks wet. Or the [normals](?map_trap=2): all lean the same way. Or leave the
 [colours](?map_trap=3) encoded: pale. [All as meant](?map_trap=0).
 """,
     scene=Scene(

@@ -13,11 +13,11 @@ from app.board.course_model import CourseModel
 from app.board.fit import Fit
 from app.board.models import opened
 from app.board.terms import ANGLES, LUMINANCE, WEIGHTS, packed, unpacked
-from app.export.board_report import MOST, chosen, letters, listing, report, shown, together
+from app.export.board_report import MOST, VALUES, chosen, letters, listing, report, shown, together
 from app.export.board_words import lines
 from app.export.ink import Ink
 from app.export.lit_sphere import FILL, LIGHT, sphere
-from app.lesson import Curve, Curves, Term
+from app.lesson import Curve, Curves, ImageSlice, Model, Term
 from app.optics import arguments, twin
 from app.optics.colour import linear_to_srgb
 from app.optics.cook_torrance import albedo_cook_torrance
@@ -122,6 +122,18 @@ def test_what_is_not_finite_is_magenta(tinted):
     tinted.write_text(TINTED.replace("n * tint", "sqrt(n - 2.) * tint"))
     picture = sphere(opened(str(tinted)), {"n": 1.0}, 64, (0, 0, 0))
     np.testing.assert_allclose(pixel(picture, N), [255, 46, 209], atol=1)
+
+
+def test_an_image_slice_has_a_hole_where_there_is_no_number(tinted):
+    """Here above theta_d = 60 degrees: a third of the picture is empty."""
+    painted = []
+    for factor in ("1.", "sqrt(dot(L, normalize(L + V)) - .5)", "sqrt(-1. - dot(L, L))"):
+        tinted.write_text(TINTED.replace("n * tint", f"{factor} * tint"))
+        model = Model("x", Term(f"board:{tinted}", {"values": (1.0, 1.0, 0.5, 0.25, 0.0), "channel": 0}))
+        picture = plots.picture(ImageSlice("", (model,)), VALUES, (400, 400), THEMES["light"])
+        painted.append(int((picture[:, 360] != picture[0, 0]).any(-1).sum()))
+    whole, part, none = painted
+    assert whole - none > 150 and (whole - part) / (whole - none) == pytest.approx(1 / 3, abs=0.02)
 
 
 # --- the report ------------------------------------------------------------------------------------------------------

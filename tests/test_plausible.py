@@ -9,6 +9,8 @@ from scipy.integrate import dblquad
 from app.badges import check
 from app.catalog import step
 from app.furnace import albedo
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
 from app.optics import twin
 from app.optics.spherical import direction
 from app.optics.three_lamps import LAMPS
@@ -131,15 +133,16 @@ def test_i_over_r_squared_is_no_radiance():
 
 
 # --- two models of ten materials -------------------------------------------------------------------------------------
+@pytest.mark.parametrize("m", [0.05, 0.4])
 @pytest.mark.parametrize("material", [2, 5, 8])
-def test_a_highlights_gain_is_that_of_the_brdfs(material):
+def test_a_highlights_gain_is_that_of_the_brdfs(material, m):
     theta = np.array([0.0, 0.5, 1.0, 1.3])
     l, v, c = direction(theta, np.pi), direction(theta, 0.0), np.cos(theta)
     f0, rho = float(twin("f_material")(1.0, material)[1]), float(twin("matter_body")(material, 1))
     for brdf, body, gain in (
             ("brdf_matter", twin("body_coupled")(c, c, rho, f0), twin("gain_cook_torrance")(theta, material, 1)),
             ("brdf_matter_blinn", rho * (1 - f0) / np.pi, twin("gain_blinn_phong")(theta))):
-        mirrored = (twin(brdf)(N, l, v, 0.05, material, 1) - body) * c
+        mirrored = (twin(brdf)(N, l, v, m, material, 1) - body) * c
         assert np.allclose(mirrored / mirrored[0], gain, rtol=1e-9)
 
 
@@ -153,3 +156,17 @@ def test_both_models_of_a_material_keep_their_balance(material):
 def test_both_highlights_are_alike_head_on():
     peaks = [float(twin(brdf)(N, N, N, 0.1, 5, 2)) for brdf in ("brdf_matter", "brdf_matter_blinn")]
     assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
+
+
+@pytest.mark.parametrize("theta_d", [0.0, 5.0, 62.0, 80.0])
+def test_the_lamp_of_the_vases_stands_where_the_numbers_say(ctx, theta_d):
+    """Light and eye are theta_d from the halfway vector, as the first view has it."""
+    scene = step("plausible_shading/compare").step.scene
+    stage = Stage(ctx, Source(scene, "compare"))
+    stage_values = {"theta_d": np.radians(theta_d), "m": 0.2, "material": 7}
+    lamp = np.asarray(stage.probes(stage_values))[0, :3] - [0.0, 0.0, 2.42]
+    stage.release()
+    up = np.radians(scene.camera.elevation)
+    eye = np.array([0.0, -np.cos(up), np.sin(up)])
+    assert np.linalg.norm(lamp) == pytest.approx(1.4, rel=1e-5)
+    assert np.degrees(np.arccos(np.clip(lamp @ eye / 1.4, -1, 1))) == pytest.approx(2 * theta_d, abs=0.1)

@@ -17,6 +17,8 @@ JUDGED = {  # what is said of a good one and of a bad one
     "non_negative": ("negative nowhere", "negative: {} /sr"), "reciprocal": ("swaps light and eye", "swapped, {} off"),
     "energy": ("albedo at most {}", "albedo {}, more than all"), "finite": ("finite everywhere", "not finite"),
 }
+NO_NUMBER = {"non_negative": "no number anywhere", "reciprocal": "swapped: no number", "energy": "albedo: no number",
+             "finite": JUDGED["finite"][1]}
 SIGNS = {"theta_l": "θ_l", "theta_v": "θ_v", "phi": "φ"}
 
 
@@ -53,7 +55,8 @@ def lines(label: str, colour: str, about: str, badges: dict[str, Badge], room: f
     found += [Line(line) for line in whole]
     for name, words in JUDGED.items():
         one = badges[name]
-        said, at = words[not one.ok].format(worst(name, one)), place(one) if not one.ok or name == "energy" else ""
+        said = words[not one.ok].format(worst(name, one)) if one.worst is not None else NO_NUMBER[name]
+        at = place(one) if not one.ok or name == "energy" else ""
         here = length(said, small, not one.ok) + small + length(at, small) <= inner
         found.append(Line(fitted(said, small, inner, not one.ok), "foreground", not one.ok, one.ok,
                           beside=at if here else ""))
@@ -63,8 +66,7 @@ def lines(label: str, colour: str, about: str, badges: dict[str, Badge], room: f
 
 
 def worst(name: str, found: Badge) -> str:
-    if found.worst is None:
-        return "infinitely"
+    assert found.worst is not None
     return f"{100 * found.worst:.3g} %" if name == "reciprocal" else three(found.worst)
 
 

@@ -57,8 +57,8 @@ class Drawing:
         foot = self.part.footer()
         picture = np.concatenate([self.head, drawn, *([foot] if foot is not None else [])])
         bottom = self.size[1] - (len(foot) if foot is not None else 0) - self.look.text
-        if isinstance(self.plot, Curves | Slice | ImageSlice):
-            bottom = len(self.head) + round(0.7 * len(drawn))
+        if isinstance(self.plot, Curves | Slice | ImageSlice):  # a slice is blank, if at all, at its top
+            bottom = len(self.head) + round((0.24 if isinstance(self.plot, ImageSlice) else 0.7) * len(drawn))
         return np.ascontiguousarray(noticed(self.look, picture, notices, bottom))
 
     def open(self, values: dict) -> None:

@@ -65,7 +65,8 @@ class ImageSlicePart:
         length = np.linalg.norm(h)
         h = h / length if length > 1e-12 else np.array([0.0, 0.0, 1.0])
         self.now = float(apart(h, np.array([0.0, 0.0, 1.0]))), float(apart(one.still, h))
-        return notices(one, self.f)
+        blank = ["blank: no finite number"] if not np.isfinite(self.f).all() else []
+        return blank + [words for words in notices(one, self.f) if "not finite" not in words]
 
     def overlay(self, picture: np.ndarray) -> np.ndarray:
         look, em, (high, wide) = self.look, self.look.small, picture.shape[:2]
@@ -76,7 +77,7 @@ class ImageSlicePart:
         size = max(2, round(right - left)), max(2, round(lower - upper))
         painted = Image.fromarray(np.round(255 * colours[::-1]).astype(np.uint8))
         painted = painted.resize(size, Image.Resampling.BILINEAR)
-        there = Image.fromarray(np.where(np.isnan(self.f[::-1]), 0, 255).astype(np.uint8))  # holes for no number
+        there = Image.fromarray(np.where(np.isfinite(self.f[::-1]), 255, 0).astype(np.uint8))
         sheet = Image.fromarray(picture)
         sheet.paste(painted, (round(left), round(upper)), there.resize(size, Image.Resampling.NEAREST))
         draw, letters, ink = ImageDraw.Draw(sheet), font(look, look.small), bytes3(look.foreground)

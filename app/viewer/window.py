@@ -15,7 +15,7 @@ from app import tables
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.ies import Photometry, read
-from app.lesson import Number, Prediction
+from app.lesson import Ledger, Number, Prediction
 from app.meshes import Mesh, built_in, load
 from app.paths import LESSONS
 from app.prediction import truth_values
@@ -175,7 +175,8 @@ class Window:
 
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
-        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, 1.05 * room.x)))
+        tall = 1.35 if isinstance(self.session.plot, Ledger) else 1.05  # its rows need the room
+        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * room.x)))
         imgui.spacing()
         try:
             numbers_panel.draw(self, self.numbers(), self.theme)
