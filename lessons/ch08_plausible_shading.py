@@ -37,8 +37,8 @@ RED = {"material": 2, "channel": 0}
 
 COMPARE = Step(
     name="compare",
-    title="Two models, one lamp: which is the photograph?",
-    idea="Head-on both highlights look alike; with the lamp behind, only Cook-Torrance's brightens and whitens as real ones do.",
+    title="Which is the photograph?",
+    idea="Head-on both highlights look alike; with the lamp behind, only Cook-Torrance does what real things do.",
     slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
     prose=r"""
 A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
@@ -52,8 +52,8 @@ $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
 times the one head-on. Insulators win most: their $F$ has farthest to rise, so plastic in back light wears a bright white
 edge. Metals whiten: [gold](?material=gold&theta_d=75), [copper](?material=copper&theta_d=75).
 
-Cook and Torrance themselves drew copper vases, in 1982; until then copper came out as brown plastic.
-[Rougher ones](?m=0.4) part the models as far: there is no $m$ in the quotient.
+Cook and Torrance drew copper vases in 1982; until then copper came out as brown plastic. [Rougher ones](?m=0.4) part as
+far: the quotient has no $m$.
 """,
     scene=Scene(
         glsl="""
@@ -128,7 +128,7 @@ vec4 probe(int i) {
                Mark("the lamp's way", colour="quiet", line="dotted", segments=48)),
         labels=(Label("Blinn-Phong", 1), Label("Cook-Torrance", 2)),
         handles=(Handle("the lamp", 0, ("theta_d",)),),
-        camera=Camera(azimuth=-90, elevation=9, distance=16, target=(0.0, 0.0, 1.2), field_of_view=20),
+        camera=Camera(azimuth=-90, elevation=9, distance=16, target=(0.0, 0.0, 1.2), field_of_view=21),
     ),
     plot=Curves(
         title="The highlight, head-on being 1", sweep="theta_d",
@@ -147,8 +147,8 @@ vec4 probe(int i) {
     models=(Model("Cook-Torrance", Term("brdf_matter", {"channel": 0}), "exact"),
             Model("Blinn-Phong", Term("brdf_matter_blinn", {"channel": 0}), "printed")),
     ask=Prediction(
-        question="You photograph the red plastic vase, the lamp first beside the camera, then behind the vase, so that light and "
-                 "eye both stand 75° from the normal of the highlight. How bright is that highlight in the second photograph?",
+        question="You photograph the red plastic vase, the lamp beside the camera, then behind the vase: light and eye stand 75° from "
+                 "the highlight's normal. How bright is the highlight now?",
         truth=Term("gain_cook_torrance", RED | {"theta_d": 75 * PI / 180}),
         unit="times",
         choices=(Choice("a quarter: the light comes at a slant", 0.0, 0.6), Choice("as bright as before", 0.6, 2.0),
@@ -570,7 +570,7 @@ divide by 1 - F_avg? Light thrown back by the coat from within meets the white b
 to 0.9 with ρ = 1: a metal with a body, added up 1.9 times the light. Metals swallow what enters, so ρ = 0. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - BRDFs", "Shirley et al. 1997", "Kelemen & Szirmay-Kalos 2001", "optics reference, D13"),
-    honesty="Shares are exact for a smooth coat with Schlick's F. Under a rough one, up to 1.003 comes back at 60°, and "
+    honesty="Shares are exact for a smooth coat with Schlick's F. Under a rough one up to 1.005 comes back, near 55°, and "
             "less at grazing; the second ball is a fit to 2e-4. ρ counts all bounces under the coat together. The badges judge m = 0.02. The room is a look.",
     values=(Value("theta_v", 75.0, low=0.0, high=88.0), Value("rho", 1.0, low=0.0, high=1.0),
             Value("f0", 0.04, low=0.0, high=0.9)), minutes=6,
@@ -940,7 +940,7 @@ vec4 probe(int i) {
                  "middle of the highlight?",
         truth=Term("peak_gain", {"encoded": 0.5}),
         unit="times", low=1.0, high=100.0, scale="log",
-        sets={"map_trap": 1},
+        sets={"map_trap": 1, "map_s": 0.3560, "map_t": 0.55},  # where the map stores 0.5
         told="5.5 times: 0.5 is decoded to 0.21, and the peak goes with 1 / m².",
     ),
     notes="""

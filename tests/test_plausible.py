@@ -52,6 +52,16 @@ def test_a_nearly_smooth_coat_in_the_furnace_is_a_smooth_one(f0):
         assert np.allclose(got, twin("albedo_coated")(theta, 0.8, f0, coupling), atol=5e-4)
 
 
+def test_how_much_too_much_a_rough_coat_over_white_gives_back():
+    """The honesty of plausible_shading/energy: up to 1.005, near 55 degrees, and less than all at grazing."""
+    theta = np.radians([0.0, 45.0, 52.0, 55.0, 58.0, 65.0, 85.0])
+    found = np.array([albedo(lambda n, l, v: twin("brdf_coated")(n, l, v, 1.0, m, f0, 3), theta)[0]  # noqa: B023
+                      for m in (0.1, 0.15, 0.2, 0.25, 0.4) for f0 in (0.0, 0.04)])
+    most = np.unravel_index(np.argmax(found), found.shape)
+    assert 1.004 < found[most] < 1.005 and theta[most[1]] in np.radians([52.0, 55.0, 58.0])
+    assert np.all(found[:, -1] < 0.9)
+
+
 def test_only_the_coupling_in_and_out_passes_all_badges():
     def failed(coupling):
         badges = check(lambda n, l, v: twin("brdf_coated")(n, l, v, 1.0, 0.02, 0.04, coupling))
