@@ -95,7 +95,7 @@ def try_part(name: str, command: list[str], timeout: float, running: list | None
         why = died(child.returncode, noise.decode(errors="replace"))
         return Part(name, False, why, seconds, mend=mend(name, words=why))
     if "error" in facts:
-        why = shorten(facts["error"].split(" Run `halfway doctor`")[0].rstrip("."), 220, placeholder=" ...")
+        why = shorten(facts["error"].split(" Run `halfway doctor`")[0].rstrip("."), 220, placeholder=" …")
         return Part(name, False, why, seconds, mend=mend(name, facts["kind"], facts["package"], why))
     return Part(name, True, good(name, facts), seconds, facts, first(XWAYLAND) if facts.get("wayland") else {})
 

@@ -129,6 +129,14 @@ def test_a_compilers_message_is_at_the_users_line_and_in_the_users_words():
     assert "model0_" not in str(caught.value)
 
 
+def test_what_does_not_link_names_the_file_in_one_sentence():
+    text = ("analytic\n::begin shader\nvec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { float s = 0.0; "
+            "while (true) s += 0.1; return vec3(s); }\n::end shader\n")
+    with pytest.raises(Problem, match=r"^here\.brdf: .*does not link.*a loop that never ends") as caught:
+        model(text).rgb(*vectors())
+    assert "\n" not in str(caught.value)
+
+
 def test_a_default_outside_its_range_is_told():
     found = parse(changed("0 1 0.5", "0 1 2"), "x.brdf")
     assert found.parameters[0].high == 2

@@ -8,6 +8,7 @@ and tests that open windows ask for a new one afterwards.
 
 import ctypes
 import os
+import re
 import sys
 from functools import cache
 from typing import Any
@@ -138,7 +139,13 @@ def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.As
 
 
 def compiler_message(message: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> str:
-    """The compiler's words at the file and line a person wrote."""
+    """The compiler's words at the file and line a person wrote; what does not link has a file alone."""
+    if "Linker" in message:
+        files = [line.file for part in (vertex, fragment) if part for line in part.lines]
+        own = [file for file in files if "." in file and not file.startswith("glsl/")] or files
+        words = "; ".join(re.findall(r"error:\s*(.+?)\.?\s*$", message, re.M)) or " ".join(message.split())
+        return (f"{max(set(own), key=own.count)}: it compiles, but does not link ({words}); "
+                "a loop that never ends, or a function that has no body, does that.")
     of_fragment = "fragment_shader" in message and fragment is not None
     lines = shader.translate(message, fragment if of_fragment and fragment else vertex).splitlines()
     more = f"\n(and {len(lines) - 3} more)" if len(lines) > 3 else ""

@@ -14,6 +14,7 @@ from app.gpu.evaluate import data_texture
 from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
+from app.optics.colour import srgb_to_linear
 from app.problem import Problem
 from app.shader import Assembled
 from app.theme import Theme, colour, rgb
@@ -53,18 +54,12 @@ def on_gpu(values: dict) -> dict:
     return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
 
 
-def linear(encoded) -> np.ndarray:
-    """sRGB 0 to 1 to linear light (IEC 61966-2-1)."""
-    c = np.asarray(encoded, float)
-    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
-
-
 @cache
 def look(theme: Theme) -> dict:
     """What a theme gives to a scene."""
-    return {"background": tuple(linear(rgb(theme.background))),
-            "palette": linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
-            "colormap_stops": linear(STOPS[theme.colormap]).astype("f4").tobytes()}
+    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
+            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
+            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
 
 
 class Stage:

@@ -6,6 +6,7 @@
 import numpy as np
 from numpy import pi
 
+from app.hemisphere import NORMAL
 from app.optics.blinn_phong import (
     albedo_blinn_phong,
     brdf_blinn_phong,
@@ -24,8 +25,6 @@ from app.optics.phong import (
 )
 from app.optics.spherical import light_direction, view_direction
 
-_UP = np.array([0.0, 0.0, 1.0])
-
 
 def _select(model, *values):
     return np.select([np.asarray(model) == i for i in range(3)], values[:3], values[3])[()]
@@ -40,7 +39,7 @@ def highlight_brdf(model, theta_l, theta_v, phi, k_d, k_s, exponent):
     model (...) 0 .. 3; theta_l, theta_v, phi (...) rad; k_d, k_s, exponent (...). Returns (...) 1/sr. Errors: none.
     Source: deck, The Phong Model (1), The Blinn Model (1), Blinn-Phong BRDF (2).
     """
-    args = _UP, light_direction(theta_l, phi), view_direction(theta_v), k_d, k_s, exponent
+    args = NORMAL, light_direction(theta_l, phi), view_direction(theta_v), k_d, k_s, exponent
     return _select(model, *(f(*args) for f in (brdf_phong_printed, brdf_phong, brdf_blinn_phong_printed,
                                                brdf_blinn_phong)))
 
@@ -53,7 +52,7 @@ def highlight_share(model, theta_l, theta_v, phi, k_d, k_s, exponent):
     model (...) 0 .. 3; theta_l, theta_v, phi (...) rad; k_d, k_s, exponent (...). Returns (...) 1/sr. Errors: none.
     Source: deck, The Phong Model (1), BRDF - The Reflectance Equation (3).
     """
-    args = _UP, light_direction(theta_l, phi), view_direction(theta_v), k_d, k_s, exponent
+    args = NORMAL, light_direction(theta_l, phi), view_direction(theta_v), k_d, k_s, exponent
     cosine = np.cos(np.asarray(theta_l, float))
     return _select(model, shading_phong(*args), brdf_phong(*args) * cosine, shading_blinn_phong(*args),
                    brdf_blinn_phong(*args) * cosine)

@@ -3,12 +3,12 @@
 import numpy as np
 from numpy import pi
 
+from app.hemisphere import NORMAL
 from app.optics.phong import brdf_phong
 from app.optics.solid_angle import solid_angle_cell
 from app.optics.spherical import direction, light_direction, view_direction
 from app.quadrature import gauss_legendre
 
-_UP = np.array([0.0, 0.0, 1.0])
 _TREE = np.array([-0.48, 0.86, 0.173205081])
 _U, _W = gauss_legendre(24)
 _Z, _ZW = np.concatenate([0.5 * _U, 0.5 + 0.5 * _U]), 0.5 * np.concatenate([_W, _W])
@@ -42,7 +42,7 @@ def reflected_part(l, to_sun, v, zenith_radiance, sun_radiance, k_d, k_s, expone
     Source: deck, BRDF - The Reflectance Equation (3).
     """
     l = np.asarray(l, float)
-    f = brdf_phong(_UP, l, v, k_d, k_s, exponent)
+    f = brdf_phong(NORMAL, l, v, k_d, k_s, exponent)
     return f * sky_radiance(l, to_sun, zenith_radiance, sun_radiance) * np.maximum(l[..., 2], 0)
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 from numpy import pi
 
+from app.hemisphere import NORMAL
 from app.optics.lambert import brdf_lambert
 from app.optics.phong import brdf_phong
 from app.optics.sky import _TURN, _U, _W, _Z, _ZW
 from app.optics.spherical import direction, direction_phi, direction_theta, view_direction
 
 _PAINT = np.array([0.62, 0.16, 0.10])
-_UP = np.array([0.0, 0.0, 1.0])
 
 
 def brdf_paint(n, l, v, channel, k_s, exponent):
@@ -71,7 +71,7 @@ def hemisphere_meter(theta_v, radiance, flaw, k_d, k_s, exponent, weight):
     column = [np.asarray(a)[..., None] for a in args]
     v, total = view_direction(column[0]), np.zeros(args[0].shape)
     for z, dz in zip(_Z, _ZW, strict=True):
-        row = np.sum(brdf_flawed(_UP, direction(np.arccos(z), _TURN), v, *column[1:6]), -1)
+        row = np.sum(brdf_flawed(NORMAL, direction(np.arccos(z), _TURN), v, *column[1:6]), -1)
         total += dz * np.where(args[6] == 1, z, 1.0) * row
     return (total * pi / 48 / args[1])[()]
 
@@ -94,5 +94,5 @@ def paint_measured(theta_l, phi, theta_v, half_angle, channel, k_s, exponent):
     q = (2 * np.sin(0.5 * half_angle) ** 2 * x)[..., None]
     d = l - q * l + np.sqrt(q * (2 - q)) * (np.cos(turn)[:, None] * a + np.sin(turn)[:, None] * b)
     cosine = w * np.maximum(d[..., 2], 0)
-    part = cosine * brdf_paint(_UP, d, view_direction(theta_v), channel, k_s, exponent)
+    part = cosine * brdf_paint(NORMAL, d, view_direction(theta_v), channel, k_s, exponent)
     return (np.sum(part, (-1, -2)) / np.sum(cosine, (-1, -2)))[()]

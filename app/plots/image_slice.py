@@ -6,7 +6,7 @@ from typing import cast
 import numpy as np
 from PIL import Image, ImageDraw
 
-from app.hemisphere import apart
+from app.hemisphere import NORMAL, apart
 from app.lesson import Camera, ImageSlice
 from app.optics.spherical import direction
 from app.plots.dots import rimmed
@@ -63,8 +63,8 @@ class ImageSlicePart:
         self.top = 10.0 ** math.ceil(math.log10(most) - 1e-9) if 0 < most < 1e300 else 1.0
         h = one.still + one.picked
         length = np.linalg.norm(h)
-        h = h / length if length > 1e-12 else np.array([0.0, 0.0, 1.0])
-        self.now = float(apart(h, np.array([0.0, 0.0, 1.0]))), float(apart(one.still, h))
+        h = h / length if length > 1e-12 else NORMAL
+        self.now = float(apart(h, NORMAL)), float(apart(one.still, h))
         blank = ["blank: no finite number"] if not np.isfinite(self.f).all() else []
         return blank + [words for words in notices(one, self.f) if "not finite" not in words]
 
