@@ -11,7 +11,7 @@ from app import camera as orbit
 from app.colormaps import STOPS
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIPS, Programs, Source, grid, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.optics.colour import srgb_to_linear
@@ -77,13 +77,15 @@ class Stage:
             self.place(triangles)
 
     def compile(self, names: tuple[str, ...] | None) -> None:
-        texts = programs(self.scene, self.source.file, self.source.first, names=names)
-        for name, (vertex, fragment) in texts.items():
+        for name, (vertex, fragment) in self.texts(names).items():
             if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     self.programs[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment))
             else:
                 self.programs[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",))
+
+    def texts(self, names: tuple[str, ...] | None) -> Programs:
+        return programs(self.scene, self.source.file, self.source.first, names=names)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
