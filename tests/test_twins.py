@@ -243,7 +243,7 @@ JOINT = {  # arguments that belong together
     "mirror_gain": off_the_horizon,
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
-                     "brdf_gltf", "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
+                     "brdf_file", "brdf_gltf", "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
                      "shading_gltf", "slope_squared"), facing),
     **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at"), mirrored),
     "angle_of_half": half_reached,

@@ -49,12 +49,16 @@ def mirrored(of: Material) -> str:
 def fresnel(name: str, given: dict) -> str:
     if "material" in given:
         return "measured n and k, per channel"
+    if "mapped" in given:
+        return "Schlick's of l·h, from the same F₀"
     if "f0" in given:
         return f"Schlick's of l·h from F₀ = {given['f0']:.3g}"
     return f"none: the share k_s = {given['k_s']:.3g}" if "k_s" in given else "none"
 
 
 def body(name: str, given: dict) -> str:
+    if "mapped" in given:
+        return COUPLED[3]
     if "coupling" in given:
         return f"{COUPLED[int(given['coupling'])]}, ρ = {given['rho']:.3g}"
     if "material" in given:

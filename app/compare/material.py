@@ -9,7 +9,7 @@ from app import optics
 from app.catalog import LoadedStep, steps
 from app.lesson import Model, Term
 from app.optics.beckmann import m_from_exponent
-from app.optics.gltf import DIELECTRIC, roughness_gltf
+from app.optics.gltf import COPPER, DIELECTRIC, alpha_gltf, roughness_gltf
 from app.optics.materials import INSULATORS, f_material
 from app.optics.matter import matter_body
 from app.problem import Usage
@@ -17,7 +17,7 @@ from app.terms import bound
 
 MATT = Model("matt", Term("brdf_lambert", {"rho": 0.5}), "exact")  # a mesh without a material
 KNOWN = {"n", "l", "v", "channel", "m", "alpha", "exponent", "f0", "rho", "k_d", "k_s", "material", "coupling",
-         "geometry"}
+         "geometry", "metallic", "roughness", "mapped"}
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def unlike(found: LoadedStep) -> str:
     if model is None:
         return "it has no model of matter"
     given = optics.arguments(model.term.function)
-    strange = [name for name in given if name not in KNOWN or (name == "channel" and "material" not in given)]
+    strange = [name for name in given if name not in KNOWN or (name == "channel" and not {"material", "mapped"} & {*given})]
     if strange:
         return f"{model.term.function} depends on {strange[0]}, for which glTF's materials have no word"
     return ""
@@ -68,6 +68,8 @@ def material(found: LoadedStep, values: dict) -> Material:
 
 def roughness(given: dict) -> float:
     """alpha = m: the same peak of D. What is matt all through has 1."""
+    if "roughness" in given:
+        return float(given["roughness"])
     width = given.get("m", given.get("alpha"))
     if width is None and "exponent" in given:
         width = m_from_exponent(given["exponent"])
@@ -76,6 +78,8 @@ def roughness(given: dict) -> float:
 
 def share(given: dict) -> tuple[tuple[float, float, float], float]:
     """Base colour and metallic. What is all mirror is a metal; a body keeps its colour, and gets F0 = 0.04."""
+    if "mapped" in given:
+        return three(COPPER), float(given["metallic"])
     if "material" in given:
         row = int(given["material"])
         if row >= INSULATORS:
@@ -96,4 +100,6 @@ def slope(given: dict) -> float | None:
     """Our RMS slope m, whatever the model calls it."""
     if "exponent" in given:
         return sqrt(2 / (given["exponent"] + 2))
+    if "mapped" in given:
+        return given["roughness"] if given["mapped"] == 0 else float(alpha_gltf(given["roughness"]))
     return given.get("m", given.get("alpha"))

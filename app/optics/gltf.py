@@ -8,10 +8,12 @@ import numpy as np
 from numpy import pi
 
 from app.optics.beckmann import slope_squared
+from app.optics.coat import brdf_coated
 from app.optics.fresnel import f_schlick
 from app.optics.ggx import d_ggx_slope
 
 DIELECTRIC, LEAST = 0.04, 0.001  # F0 of what is no metal, and the least roughness; the least cosine
+COPPER = np.array([0.95, 0.50, 0.28])  # the base colour of the lesson's file
 
 
 def alpha_gltf(roughness):
@@ -87,3 +89,31 @@ def brdf_gltf(n, l, v, base_colour, metallic, roughness):
     """
     f, _, n_dot_l, n_dot_v = _value(n, l, v, base_colour, metallic, roughness)
     return np.where((n_dot_l > 0) & (n_dot_v > 0), f, 0.0)[()]
+
+
+def brdf_file(n, l, v, metallic, roughness, mapped, channel):
+    """A glTF file's copper, or copper paint, drawn by us: by our own models, or by glTF's as pyrender has it.
+
+    mapped 0, 1: brdf_coated with m = roughness or roughness^2, rho = 0.96 (1 - metallic) colour, f0 = 0.04 (1 - metallic)
+    + metallic colour, light coupled in and out; 2: brdf_gltf; colour = 0.95, 0.50, 0.28
+
+    n, l, v (..., 3) unit, metallic (...) 0 .. 1, roughness (...) 0 .. 1, at least 0.04, mapped (...) 0, 1 or 2,
+    channel (...) 0, 1 or 2. Returns (...) 1/sr. Errors: none. Source: as brdf_coated and brdf_gltf.
+    """
+    colour, metal = COPPER[np.asarray(channel)], np.clip(np.asarray(metallic, float), 0.0, 1.0)
+    alpha, mapped = alpha_gltf(roughness), np.asarray(mapped)
+    m = np.where(mapped == 0, np.sqrt(alpha), alpha)
+    f0 = DIELECTRIC * (1 - metal) + colour * metal
+    ours = brdf_coated(n, l, v, (1 - DIELECTRIC) * (1 - metal) * colour, m, f0, 3)
+    return np.where(mapped == 2, brdf_gltf(n, l, v, colour, metal, roughness), ours)[()]
+
+
+def peak_lost(roughness):
+    """How many times too dim the middle of a highlight gets if a file's roughness is taken for m.
+
+    D(0) of m = roughness^2 over D(0) of m = roughness: 1 / roughness^2
+
+    roughness (...) 0 .. 1, at least 0.04. Returns (...) 1 .. 625. Errors: none. Source: deck, Distribution Term (2);
+    glTF 2.0, appendix B.
+    """
+    return 1 / alpha_gltf(roughness)

@@ -1,5 +1,6 @@
 #include "core/constants.glsl"
 #include "optics/beckmann.glsl"
+#include "optics/coat.glsl"
 #include "optics/fresnel.glsl"
 #include "optics/ggx.glsl"
 
@@ -37,4 +38,19 @@ float brdf_gltf(vec3 n, vec3 l, vec3 v, float base_colour, float metallic, float
     float n_dot_l = dot(n, l);
     if (min(n_dot_l, dot(n, v)) <= 0.0) return 0.0;
     return shading_gltf(n, l, v, base_colour, metallic, roughness) / clamp(n_dot_l, 0.001, 1.0);
+}
+
+const vec3 COPPER = vec3(0.95, 0.50, 0.28);
+
+float brdf_file(vec3 n, vec3 l, vec3 v, float metallic, float roughness, int mapped, int channel) {
+    // Ours with m = roughness or its square, over a body coupled in and out; or glTF's own
+    float colour = COPPER[channel], metal = clamp(metallic, 0.0, 1.0), alpha = alpha_gltf(roughness);
+    if (mapped == 2) return brdf_gltf(n, l, v, colour, metal, roughness);
+    float m = mapped == 0 ? sqrt(alpha) : alpha, f0 = 0.04 * (1.0 - metal) + colour * metal;
+    return brdf_coated(n, l, v, 0.96 * (1.0 - metal) * colour, m, f0, 3);
+}
+
+float peak_lost(float roughness) {
+    // Distribution Term (2): D(0) = 1 / (pi m^2); glTF 2.0: m = roughness^2
+    return 1.0 / alpha_gltf(roughness);
 }
