@@ -46,7 +46,8 @@ def unlike(found: LoadedStep) -> str:
     if model is None:
         return "it has no model of matter"
     given = optics.arguments(model.term.function)
-    strange = [name for name in given if name not in KNOWN or (name == "channel" and not {"material", "mapped"} & {*given})]
+    coloured = "material" in given or "mapped" in given
+    strange = [name for name in given if name not in KNOWN or (name == "channel" and not coloured)]
     if strange:
         return f"{model.term.function} depends on {strange[0]}, for which glTF's materials have no word"
     return ""

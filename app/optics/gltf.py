@@ -94,8 +94,8 @@ def brdf_gltf(n, l, v, base_colour, metallic, roughness):
 def brdf_file(n, l, v, metallic, roughness, mapped, channel):
     """A glTF file's copper, or copper paint, drawn by us: by our own models, or by glTF's as pyrender has it.
 
-    mapped 0, 1: brdf_coated with m = roughness or roughness^2, rho = 0.96 (1 - metallic) colour, f0 = 0.04 (1 - metallic)
-    + metallic colour, light coupled in and out; 2: brdf_gltf; colour = 0.95, 0.50, 0.28
+    mapped 0, 1: brdf_coated with m = roughness or roughness^2, rho = 0.96 (1 - metallic) colour,
+    f0 = 0.04 (1 - metallic) + metallic colour, light coupled in and out; 2: brdf_gltf; colour = 0.95, 0.50, 0.28
 
     n, l, v (..., 3) unit, metallic (...) 0 .. 1, roughness (...) 0 .. 1, at least 0.04, mapped (...) 0, 1 or 2,
     channel (...) 0, 1 or 2. Returns (...) 1/sr. Errors: none. Source: as brdf_coated and brdf_gltf.
