@@ -275,8 +275,60 @@ class ImageSlice:
     models: tuple[Model, ...] = ()
 
 
+@dataclass(frozen=True)
+class Method:
+    """A way to the quantity of a study. Either a `rule` of app/study: points and a map, like "sobol importance"; or a
+    twin whose argument `cost` grows along the `ladder`, and is N samples (`level`: 4^level). `sets` is what a click
+    on a point changes in the step, "N" standing for the samples and "cost" for the rung; a twin needs no word here."""
+
+    label: str
+    rule: str = ""
+    term: Term | None = None
+    cost: str = ""
+    ladder: tuple[int, ...] = ()  # none: the rule's own
+    sets: dict[str, Number | str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Study(Worded):
+    """Error against run time: what a quantity costs by several methods, against its exact value.
+
+    The quantity is the integral of a product of twins over `over`: "directions" (n.l and all l above the surface),
+    "halfways" (n.h, and all h), "sphere" (all `towards`), "angles" (all theta and phi of the sphere), "wavelengths";
+    or, "", what the methods' own twins estimate. `cases` are the values `halfway study` looks at, `worst` those over
+    which an error is the worst. `sampler` names sample_* and pdf_* for importance sampling, `width` how wide the lobe
+    is about the halfway vector (or the mirror direction): a value or a twin.
+    """
+
+    title: str
+    exact: Term | Method | float
+    methods: tuple[Method, ...]
+    why: str  # why the winner wins
+    over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
+    integrand: tuple[Term, ...] = ()
+    sampler: str = ""
+    width: str | Term = ""
+    about: Literal["halfway", "mirror"] = "halfway"
+    cases: tuple[dict[str, Number], ...] = ({},)
+    worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
+
+    @property
+    def swept(self) -> frozenset[str]:
+        """The arguments of the integrand that are no values of the step."""
+        return frozenset({"directions": {"n", "l", "v"}, "halfways": {"n", "h"}, "sphere": {"towards"},
+                          "angles": {"theta", "phi"}, "wavelengths": {"wavelength"}}.get(self.over, ()))
+
+    @property
+    def terms(self) -> tuple[Term, ...]:
+        """Every twin it calls."""
+        given = (self.exact, *self.methods, self.width)
+        found = [one.term if isinstance(one, Method) else one for one in given]
+        return (*self.integrand, *(term for term in found if isinstance(term, Term)))
+
+
 ModelPlot = Lobes | Slice | ImageSlice
-Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice
+Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study
 
 
 @dataclass(frozen=True)
@@ -321,11 +373,13 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
+    study: Study | None = None  # of lessons/studies.py
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
-        """Its plots, each with the models it shows."""
+        """Its plots, each with the models it shows; its study last."""
         given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
+        given += (self.study,) if self.study else ()
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
 
