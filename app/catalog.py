@@ -15,6 +15,8 @@ from app.lesson import Chapter, Curves, Faces, Figure, Ledger, ModelPlot, Number
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
+from app.study.names import swept
+from app.study.names import terms as terms_of
 
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
@@ -205,8 +207,7 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
         elif isinstance(plot, ModelPlot):
             found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in plot.models]
         elif isinstance(plot, Study):
-            spent = {method.cost for method in plot.methods} | {"seed", "n_dot_v"}  # by the eye's angle
-            found += [(f"study {plot.title!r}", term, data | plot.swept | spent) for term in plot.terms]
+            found += [(f"study {plot.title!r}", term, data | swept(plot)) for term in terms_of(plot)]
     return found
 
 
@@ -224,9 +225,9 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     names += [table.choice for table in scene.tables if table.choice]
     if scene.dots and isinstance(scene.dots.count, str):
         names.append(scene.dots.count)
-    for _, term, swept in terms(step):
+    for _, term, free in terms(step):
         given = [term.args.get(name, name) for name in arguments(term.function)]
-        names += [name for name in given if isinstance(name, str) and name in TABLE and name not in swept]
+        names += [name for name in given if isinstance(name, str) and name in TABLE and name not in free]
     for plot in step.plots:
         names += [plot.sweep] if isinstance(plot, Curves) else ["l", "v"] if isinstance(plot, ModelPlot) else []
         names += ["theta_v"] if isinstance(plot, Study) and plot.sampler else []

@@ -277,9 +277,9 @@ class ImageSlice:
 
 @dataclass(frozen=True)
 class Method:
-    """A way to the quantity of a study. Either a `rule` of app/study: points and a map, like "sobol importance"; or a
-    twin whose argument `cost` grows along the `ladder`, and is N samples (`level`: 4^level). `sets` is what a click
-    on a point changes in the step, "N" standing for the samples and "cost" for the rung; a twin needs no word here."""
+    """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
+    whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
+    arguments in the step, or what `sets` says, "N" standing for the samples."""
 
     label: str
     rule: str = ""
@@ -291,14 +291,10 @@ class Method:
 
 @dataclass(frozen=True)
 class Study(Worded):
-    """Error against run time: what a quantity costs by several methods, against its exact value.
-
-    The quantity is the integral of a product of twins over `over`: "directions" (n.l and all l above the surface),
-    "halfways" (n.h, and all h), "sphere" (all `towards`), "angles" (all theta and phi of the sphere), "wavelengths";
-    or, "", what the methods' own twins estimate. `cases` are the values `halfway study` looks at, `worst` those over
-    which an error is the worst. `sampler` names sample_* and pdf_* for importance sampling, `width` how wide the lobe
-    is about the halfway vector (or the mirror direction): a value or a twin.
-    """
+    """Error against run time: what a quantity costs by several methods. It is what their twins estimate, or the
+    integral of a product of twins over "directions" (all l, times n.l), "halfways" (all h, times n.h), the "sphere"
+    (all `towards`), "angles" (all theta and phi) or "wavelengths". `halfway study` looks at all `cases`; an error is
+    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` (a value, a twin) how wide the lobe is."""
 
     title: str
     exact: Term | Method | float
@@ -312,20 +308,6 @@ class Study(Worded):
     cases: tuple[dict[str, Number], ...] = ({},)
     worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
     pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
-
-    @property
-    def swept(self) -> frozenset[str]:
-        """The arguments of the integrand that are no values of the step."""
-        return frozenset({"directions": {"n", "l", "v"}, "halfways": {"n", "h"}, "sphere": {"towards"},
-                          "angles": {"theta", "phi"}, "wavelengths": {"wavelength"}}.get(self.over, ()))
-
-    @property
-    def terms(self) -> tuple[Term, ...]:
-        """Every twin it calls."""
-        given = (self.exact, *self.methods, self.width)
-        found = [one.term if isinstance(one, Method) else one for one in given]
-        return (*self.integrand, *(term for term in found if isinstance(term, Term)))
-
 
 ModelPlot = Lobes | Slice | ImageSlice
 Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study

@@ -23,8 +23,8 @@ class Frame:
         call = ", ".join("place()" if a.name == place else "in_seed + own()" if seed and a.name == "seed" else
                          f"in_{a.name}" for a in signature.args)
         text = "\n".join([
-            f'#include "{include}"', "uniform vec4 frame_window;", *(f"uniform {a.type} in_{a.name};" for a in self.others),
-            "out float value;",
+            f'#include "{include}"', "uniform vec4 frame_window;",
+            *(f"uniform {a.type} in_{a.name};" for a in self.others), "out float value;",
             "vec3 place() { return vec3(frame_window.xy + frame_window.zw * gl_FragCoord.xy, 0.0); }",
             "int own() { return int(gl_FragCoord.x) + 8192 * int(gl_FragCoord.y); }" if seed else "",
             f"void main() {{ value = {function}({call}); }}"])

@@ -3,7 +3,7 @@
 Magenta crosses are silent failures: the method is wrong and says that it is right. Below stands why the winner wins.
 """
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -12,23 +12,20 @@ from app.lesson import Camera, Method, Number, Study
 from app.plots.dots import rimmed, stamp
 from app.plots.look import Look, Rgb, bytes3
 from app.plots.ticks import Axis, power
-from app.plots.words import FINE, SHAPES, Entry, dot_size, font, header, wrapped
+from app.plots.wire import Spot
+from app.plots.words import FINE, SHAPES, Entry, dot_size, font, header, line_of_words, wrapped
+from app.study.measure import measure
+from app.study.names import inputs
 from app.study.record import LEAST, TOLERANCES, Line, Point, Record, percent
 from app.theme import Theme
 
 INKS = ("estimate", "l", "v", "h", "r", "g", "n")
 SILENT = 1.0, 0.18, 0.82  # magenta, as what is not finite
+SILENT_BYTES = bytes3(SILENT)
 HIGHEST = 100.0  # relative errors above are drawn there
-
-
-@dataclass(frozen=True)
-class Spot:
-    """A point of the picture, px from its top left: what it is, and what a click on it sets."""
-
-    x: float
-    y: float
-    words: str
-    sets: dict[str, Number]
+LIVE = {False: 0.35, True: 2.0}  # s for a study beside a lesson: while something moves, and when the hand rests
+KEPT: dict[tuple, tuple[float, Record]] = {}  # the latest studies, and the time they had
+MOST_KEPT = 32
 
 
 class EffortsPart:
@@ -46,6 +43,17 @@ class EffortsPart:
 
     def footer(self) -> None:
         return None
+
+    def measure(self, values: dict, fine: bool) -> None:
+        """The study at the step's own values, at once or, while the hand rests, with more time; kept for both."""
+        study = replace(self.plot, worst={})
+        key = study.title, tuple(sorted((name, str(values[name])) for name in inputs(study) if name in values))
+        known = KEPT.get(key)
+        if known is None or (fine and known[0] < LIVE[fine]):
+            known = KEPT[key] = LIVE[fine], measure(study, values, LIVE[fine])
+            while len(KEPT) > MOST_KEPT:
+                del KEPT[next(iter(KEPT))]
+        self.record = known[1]
 
     def build(self, plotter, values: dict) -> None:
         pass
@@ -79,7 +87,7 @@ def chart(study: Study, record: Record, look: Look, size: tuple[int, int], value
           ) -> tuple[np.ndarray, list[Spot]]:
     """(height, width) of it, and where its points are, from the top of this part."""
     height, width = size
-    above, below = legend(study, record, look), foot(study, record, look)
+    above, below, compact = around(study, record, look, height)
     tall = max(40, height - len(above) - len(below))
     canvas = np.full((tall, width, 3), np.round(255 * np.array(look.background)), np.uint8)
     across, up = axes(record)
@@ -103,9 +111,46 @@ def chart(study: Study, record: Record, look: Look, size: tuple[int, int], value
         for point, (x, y) in zip(line.points, at, strict=True):
             sets = chosen(study.methods[index_of(study, line)], point)
             if sets and all(values.get(name) == value for name, value in sets.items()):
-                rimmed(canvas, np.array([[x, y]]), 2.4 * dot_size(look), colour, look.foreground, 1.5 * look.scale)
+                rimmed(canvas, np.array([[x, y]]), 1.9 * dot_size(look), colour, look.foreground, 1.5 * look.scale)
             spots.append(Spot(float(x), float(y) + len(above), told(line, point), sets))
+    if compact:
+        canvas = named(canvas, look, record, lines, place, (left, right, top, bottom))
     return np.concatenate([above, canvas, below])[:height], spots
+
+
+def around(study: Study, record: Record, look: Look, height: int) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Words above and below. Where they leave too little room why the winner wins goes first, then the legend: then
+    names stand at the lines that matter."""
+    above, nothing = legend(study, record, look), np.zeros((0, look.size[0], 3), np.uint8)
+    for below in (foot(study, record, look), foot(study, record, look, brief=True)):
+        if height - len(above) - len(below) >= max(0.5 * height, 11 * look.small):
+            return above, below, False
+    return line_of_words(look, "relative error, over time"), nothing, True
+
+
+def named(canvas: np.ndarray, look: Look, record: Record, lines: list, place, box: tuple[int, int, int, int]
+          ) -> np.ndarray:
+    """The names of the first at each tolerance, of the most exact, the exact value and what fails silently."""
+    left, right, top, bottom = box
+    first = [found[0] for tolerance in TOLERANCES if (found := record.winner(tolerance))]
+    first.append(min((found[0] for found in lines), key=lambda line: min(p.error for p in line.points)))
+    kept = [found for found in lines if found[0] in first or found[0].reference or found[0].silent]
+    kept += [found for found in lines if found not in kept][:max(0, 2 - len(kept))]
+    image, letters = Image.fromarray(canvas), font(look, look.small)
+    taken: list[tuple[float, float, float]] = []
+    draw = ImageDraw.Draw(image)
+    for line, _, colour in sorted(kept[:5], key=lambda found: found[0].points[-1].error):
+        last = line.points[-1]
+        (x, y), = place([last.time], [shown(line, last)])
+        wide, high = letters.getlength(line.label), 1.05 * look.small
+        x = x + 0.7 * look.small if x + 0.7 * look.small + wide < right else x - 0.7 * look.small - wide
+        x, y = max(x, left + 2), min(max(y, top + 0.6 * high), bottom - 0.6 * high)
+        while any(abs(y - v) < high and x < b and a < x + wide for a, b, v in taken) and y > top + high:
+            y -= high
+        taken.append((x, x + wide, y))
+        draw.text((x, y), line.label, SILENT_BYTES if line.silent else bytes3(colour), letters, "lm",
+                  stroke_width=round(2 * look.scale), stroke_fill=bytes3(look.background))
+    return np.array(image)
 
 
 def legend(study: Study, record: Record, look: Look) -> np.ndarray:
@@ -164,11 +209,13 @@ def ground(canvas: np.ndarray, look: Look, across: Axis, up: Axis, box: tuple[in
     draw, letters, ink = ImageDraw.Draw(image), font(look, look.small), bytes3(look.foreground)
     thin = max(1, round(look.line / 2))
     (x0, x1), (y0, y1) = across.ends, up.ends
+    every = 1 if (right - left) / max(1, x1 - x0) > 1.2 * letters.getlength("100 ms") else 2
     for k in range(round(x0), round(x1) + 1):
         x = left + (k - x0) / (x1 - x0) * (right - left)
         draw.line((x, top, x, bottom), bytes3(look.grid), thin)
-        anchor = "ra" if k == round(x1) else "ma"
-        draw.text((min(x, right + 0.8 * look.small), bottom + 0.35 * look.small), lasting(k), ink, letters, anchor)
+        if (k - round(x0)) % every == 0:
+            anchor = "ra" if k == round(x1) else "ma"
+            draw.text((min(x, right + 0.8 * look.small), bottom + 0.35 * look.small), lasting(k), ink, letters, anchor)
     stride = max(1, round((y1 - y0) / max(2, (bottom - top) / (2.2 * look.small)) + 0.49))
     for k in range(round(y0), round(y1) + 1):
         y = bottom - (k - y0) / (y1 - y0) * (bottom - top)
@@ -207,14 +254,14 @@ def strokes(canvas: np.ndarray, look: Look, lines: list, place) -> np.ndarray:
     return np.array(image)
 
 
-def foot(study: Study, record: Record, look: Look) -> np.ndarray:
-    """What the axis is, what failed silently, and why the winner wins."""
+def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.ndarray:
+    """What the axis is, what failed silently, and (unless brief) why the winner wins."""
     failed = [f"× {line.label}: {line.silent[-1].words}" for line in record.lines if line.silent]
     gap, high = round(0.5 * look.text), round(1.3 * look.small)
     room = look.size[0] - 2 * gap
     rows = [("time of one estimate", look.foreground)]
-    rows += [(row, SILENT) for text in failed[:3] for row in wrapped(look, text, look.small, room)]
-    rows += [(row, look.quiet) for row in wrapped(look, study.why, look.small, room)]
+    rows += [(row, SILENT) for text in failed[:1 if brief else 3] for row in wrapped(look, text, look.small, room)]
+    rows += [(row, look.quiet) for row in wrapped(look, study.why, look.small, room) if not brief]
     picture = Image.new("RGB", (look.size[0], high * len(rows) + gap), bytes3(look.background))
     draw = ImageDraw.Draw(picture)
     for i, (text, colour) in enumerate(rows):
@@ -228,8 +275,7 @@ def chosen(method: Method, point: Point) -> dict[str, Number]:
     if method.term is not None and method.cost:
         given = {k: v for k, v in method.term.args.items() if not isinstance(v, str)}
         return {**given, method.cost: point.rung}
-    spent = {"N": point.samples, "cost": point.rung}
-    return {name: spent.get(value, 0) if isinstance(value, str) else value for name, value in method.sets.items()}
+    return {name: point.samples if isinstance(value, str) else value for name, value in method.sets.items()}
 
 
 def told(line: Line, point: Point) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy import pi
 
-from app.hemisphere import NORMAL, frame
+from app.hemisphere import NORMAL, around, frame
 from app.lesson import Study, Term
 from app.optics import arguments, twin
 from app.optics.spherical import direction
@@ -25,7 +25,7 @@ class Integral:
         self.evaluations = 0
         self.maps: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
             "directions": {"uniform": self.uniform, "cosine": self.cosine, "angles": self.angles,
-                           "importance": self.importance, "half": self.half},
+                           "importance": self.importance, "half": self.half, "mirror": self.mirror},
             "halfways": {"uniform": self.uniform, "cosine": self.cosine, "angles": self.angles,
                          "half": self.half_itself},
             "sphere": {"uniform": self.whole}, "angles": {"uniform": self.whole, "angles": self.whole_angles},
@@ -35,10 +35,10 @@ class Integral:
         """The product of the twins."""
         name, some = next(iter(swept.items()))
         self.evaluations += np.size(some) // (3 if name in ("l", "h", "towards") else 1)
-        value = 1.0
+        value = np.ones(())
         for term in self.study.integrand:
             value = value * evaluate(term, self.values, **swept)
-        return np.asarray(value, float)
+        return value
 
     def above(self, way: np.ndarray) -> np.ndarray:
         """The integrand at directions (N, 3), without their cosine."""
@@ -83,18 +83,27 @@ class Integral:
         good = (l[:, 2] > 0) & (area > 0)
         return np.where(good, self.above(l) * l[:, 2] * area, 0.0)
 
+    def mirror(self, s, t):
+        """From the mirror direction along great circles to the horizon, denser towards it."""
+        l, area = around(self.v * (-1, -1, 1), t, s, np.full(np.shape(s), self.wide))
+        return self.above(l) * np.maximum(l[:, 2], 0) * area
+
     def half_itself(self, s, t):
         h, area = self.tilted(s, t)
         return self.above(h) * h[:, 2] * area
 
     def tilted(self, s, t):
-        given = self.study.width
-        width = self.values[given] if isinstance(given, str) else evaluate(given, self.values)
         psi = 0.5 * pi * s
-        slope = width * np.tan(psi)
+        slope = self.wide * np.tan(psi)
         cosine = 1 / np.sqrt(1 + slope * slope)
         sine = slope * cosine
-        return turned(cosine, sine, t), pi * pi * sine * width * (cosine / np.cos(psi)) ** 2
+        return turned(cosine, sine, t), pi * pi * sine * self.wide * (cosine / np.cos(psi)) ** 2
+
+    @property
+    def wide(self) -> float:
+        """How wide the lobe is, in tan a or rad."""
+        given = self.study.width
+        return float(self.values[given] if isinstance(given, str) else evaluate(given, self.values))
 
     def mirrored(self, h):
         return 2 * (h @ self.v)[:, None] * h - self.v

@@ -80,10 +80,8 @@ def expected(one: Climber, angles: int) -> float:
     if not one.points:
         return 0.0
     last = one.points[-1]
-    grown = one.rungs[0] / max(last.rung, 1)
-    if one.method.cost == "level":
-        grown = 4.0
-    if len(one.points) > 1:
+    grown = 4.0 if one.method.cost == "level" or "cubature" in one.method.rule else one.rungs[0] / max(last.rung, 1)
+    if len(one.points) > 1 and "cubature" not in one.method.rule:
         grown = min(grown, max(1.0, last.time / max(one.points[-2].time, 1e-9)) * 1.5)
     return last.time * grown * angles * one.seeds
 

@@ -65,8 +65,8 @@ def laguerre_rule(count: int) -> Points:
 
 def across(nodes: np.ndarray, weights: np.ndarray) -> Points:
     """A rule along the first side times as many even steps along the second (at least 8)."""
-    steps = max(8, len(nodes))
-    s, t = np.meshgrid(nodes, (np.arange(steps) + 0.5) / steps, indexing="ij")
+    steps = max(8, len(nodes))  # a quarter off, so that both sides of a symmetric lobe are not the same points twice
+    s, t = np.meshgrid(nodes, (np.arange(steps) + 0.25) / steps, indexing="ij")
     return np.stack([s, t], -1).reshape(-1, 2), np.repeat(weights / steps, steps)
 
 

@@ -91,8 +91,8 @@ def page(outline: list[str], parts: list[str], machine: dict) -> str:
 <body>
 <header class="top">
 <h1>What a digit costs</h1>
-<p class="lead">Error against run time: each method's relative error and the time of one estimate. Times are medians, the
-bars their quartiles; errors are RMS over the seeds, and the worst of the angles where there are several.</p>
+<p class="lead">Error against run time: each method's relative error and the time of one estimate. Times are medians,
+the bars their quartiles; errors are RMS over the seeds, and the worst of the angles where there are several.</p>
 <nav aria-label="Studies"><ol>{"".join(outline)}</ol></nav>
 </header>
 <main>
