@@ -20,6 +20,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
     "compare": ("app.compare.command", "a step's material by our GLSL and by pyrender, and why they differ"),
+    "study": ("app.study.command", "error against run time: what a digit costs, by every method"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."

@@ -73,7 +73,7 @@ def test_version_and_help(capsys):
 
 
 @pytest.mark.parametrize(("arguments", "sentence"), [
-    (["lst"], "there is no command lst. Did you mean list?"),
+    (["lst"], "there is no command lst. Did you mean list"),
     (["rendr", "a/b"], "there is no command rendr. Did you mean render?"),
     (["solid_angle/patch"], "there is no command solid_angle/patch. Did you mean halfway show solid_angle/patch?"),
     (["list", "--jsn"], "halfway list takes no --jsn. Did you mean --json?"),
