@@ -26,10 +26,13 @@ def answer(files: dict, questions: list[Question]) -> list[Reply]:
                     out.append(Reply(q.id, None, "missing", f"there is no function {q.function}")); continue
                 with warnings.catch_warnings(), np.errstate(all="ignore"):
                     warnings.simplefilter("ignore")
-                    v = np.asarray(f(**{k: x.copy() for k, x in q.args.items()}), float)
+                    v = np.asarray(f(*[x.copy() for x in q.args.values()]), float)
             else:
                 from app.gpu.evaluate import evaluate
-                v = evaluate(q.function, q.args, text).astype(float)
+                from app.shader import signatures
+                sig = signatures(text).get(q.function)
+                given = dict(zip([a.name for a in sig.args], q.args.values())) if sig else q.args
+                v = evaluate(q.function, given, text).astype(float)
         except SyntaxError as e:
             out.append(Reply(q.id, None, "compile_error", f"line {e.lineno}: {e.msg}")); continue
         except Problem as e:
