@@ -19,6 +19,8 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
+    "homework": ("app.homework.command", "the assignments, a file to start from, and the test of their tests"),
+    "check": ("app.homework.check", "your answer to an assignment: what is right, what is not, and what it looks like"),
     "grade": ("app.grade.command", "a folder of submissions against an assignment: marks, and a result a student"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }

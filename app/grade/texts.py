@@ -1,5 +1,6 @@
 """Texts of an assignment's functions: the stub a student starts from, the solution, and the catalogued wrong ones."""
 
+import ast
 import textwrap
 import tomllib
 from dataclasses import dataclass
@@ -43,17 +44,18 @@ def stub(task: Task, language: str) -> str:
     if task.exercise:
         given = task.exercise.stubs[language]
         return given if language == "python" else standalone(given, task.function, helpers=True)
-    units = "; ".join(f"{name}: {meaning(name, width)}" for name, width in zip(task.arguments, task.widths, strict=True))
     if language == "python":
-        lines = [f"def {task.function}({', '.join(task.arguments)}):", *wrapped(task.text, '    """', "    "),
-                 "", *wrapped(units + '.', "    "), '    """']
-        many = f"np.zeros((len({task.arguments[0]}), {task.width}))" if task.width > 1 else \
-            f"np.zeros(len({task.arguments[0]}))"
-        return "\n".join(["import numpy as np", "", "", *lines, f"    return {many}"]) + "\n"
+        many = f"(len({task.arguments[0]}), {task.width})" if task.width > 1 else f"len({task.arguments[0]})"
+        return f"import numpy as np\n\n\ndef {task.function}({', '.join(task.arguments)}):\n    return np.zeros({many})\n"
     signature = ", ".join(f"{KINDS[width]} {name}" for name, width in zip(task.arguments, task.widths, strict=True))
     kind = KINDS[task.width]
-    return "\n".join([*wrapped(task.text, "// "), *wrapped(units + ".", "// "),
-                      f"{kind} {task.function}({signature}) {{", f"    return {kind}(0.0);", "}"]) + "\n"
+    return f"{kind} {task.function}({signature}) {{\n    return {kind}(0.0);\n}}\n"
+
+
+def units(task: Task) -> str:
+    """What every argument is, and its unit."""
+    return "; ".join(f"{name}: {meaning(name, width)}" for name, width
+                     in zip(task.arguments, task.widths, strict=True)) + "."
 
 
 def meaning(name: str, width: int) -> str:
@@ -65,6 +67,57 @@ def meaning(name: str, width: int) -> str:
 
 def wrapped(text: str, before: str, after: str = "") -> list[str]:
     return textwrap.wrap(text, 110, initial_indent=before, subsequent_indent=after or before)
+
+
+def joined(parts: list[tuple[str, str]], language: str) -> str:
+    """Several functions' texts as one: imports once and first, what is the same in two of them only once."""
+    kept: list[str] = []
+    if language == "glsl":
+        for _, text in parts:
+            lines = [shader.Line(line, "the text", i) for i, line in enumerate(text.rstrip().split("\n"), 1)]
+            for block in shader.blocks(lines):
+                one = "\n".join(line.text for line in block.lines).strip("\n")
+                if one not in kept:
+                    kept.append(one)
+        return "\n\n".join(kept) + "\n"
+    imports: list[str] = []
+    for _, text in parts:
+        lines = text.strip("\n").split("\n")
+        imports += [line for line in lines if line.startswith(("import ", "from ")) and line not in imports]
+        body = "\n".join(line for line in lines if not line.startswith(("import ", "from "))).strip("\n")
+        kept.append(body)
+    return "\n".join(imports) + "\n\n\n" + "\n\n\n".join(kept) + "\n"
+
+
+def declares(text: str, language: str) -> dict[str, str]:
+    """The names a text declares at its top, each with its own text: two texts may share what is the same in both."""
+    if language == "python":
+        tree = ast.parse(text)
+        found = {}
+        for node in tree.body:
+            names = [node.name] if isinstance(node, (ast.FunctionDef, ast.ClassDef)) else [
+                one.id for target in getattr(node, "targets", ()) for one in ast.walk(target)
+                if isinstance(one, ast.Name)]
+            found |= dict.fromkeys(names, ast.unparse(node))
+        return found
+    lines = [shader.Line(line, "the text", i) for i, line in enumerate(text.split("\n"), 1)]
+    return {name: "\n".join(line.text for line in block.lines).strip() for block in shader.blocks(lines)
+            for name in block.names}
+
+
+def packed(texts: list[tuple[str, str]], language: str) -> list[list[int]]:
+    """Which of many (function, text) go into one file together: no two of one function, no two of one name."""
+    files: list[tuple[list[int], dict[str, str]]] = []
+    for i, (function, text) in enumerate(texts):
+        names = declares(text, language) | {function: f"{i}"}
+        for inside, taken in files:
+            if all(taken.get(name, words) == words for name, words in names.items()):
+                inside.append(i)
+                taken.update(names)
+                break
+        else:
+            files.append(([i], dict(names)))
+    return [inside for inside, _ in files]
 
 
 def standalone(text: str, function: str, helpers: bool = False) -> str:
