@@ -66,7 +66,7 @@ class Formulas:
 
     def html(self, latex: str, display: bool) -> str:
         kind, tag = ("yes", "div") if display else ("no", "span")
-        return f'<{tag} class="math" data-display="{kind}">{escape(classed(latex.strip()))}</{tag}>'
+        return f'<{tag} class="tex" data-display="{kind}">{escape(classed(latex.strip()))}</{tag}>'
 
 
 def classed(formula: str) -> str:

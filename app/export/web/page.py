@@ -58,8 +58,8 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
     step = found.step
     prose_html = html(step.prose, math.Formulas(), link)
     notes = html(step.notes, math.Formulas(), link)
-    with_math = 'class="math"' in prose_html + notes
-    scripts = [math.script()] * with_math + [script(content)]
+    with_math = 'class="tex"' in prose_html + notes
+    scripts = [script(content)] + [math.script()] * with_math
     style = (math.style(math.fonts(step.prose + step.notes)) if with_math else "") + text_of("page.css")
     style += "".join(f".ink-{name}{{color:var(--{name})}}" for name in content["themes"]["dark"]["css"])
     note = f"<!-- KaTeX 0.19.1\n{math.licence()}\n-->" if with_math else ""

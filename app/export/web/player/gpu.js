@@ -1,6 +1,6 @@
 // One WebGL2 context: programs from the course's own GLSL, and its functions as functions of arrays.
 
-const HOW = {alpha: false, antialias: true};
+const HOW = {antialias: false}; // soft edges are ours, so that a moving picture can do without
 const EMPTY = "#version 300 es\nprecision highp float;\nvoid main() {}\n";
 const WIDTH = {int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4};
 const TRIANGLES = 256; // in a row of a mesh's texture, as in app/gpu/evaluate.py
@@ -16,6 +16,7 @@ class Gpu {
     this.programs = new Map();
     this.textures = new Map();
     this.points = null;
+    this.soft = null;
   }
 
   get lost() { return this.gl.isContextLost(); }
@@ -97,6 +98,35 @@ class Gpu {
       this.textures.set(data, texture);
     }
     return this.textures.get(data);
+  }
+
+  // Draw into the canvas, through a picture of four samples a pixel when `fine`; the drawing is `paint`.
+  into(fine, paint) {
+    const gl = this.gl, wide = gl.drawingBufferWidth, high = gl.drawingBufferHeight;
+    if (fine && (!this.soft || this.soft.wide !== wide || this.soft.high !== high)) this.soft = this.softTarget(wide, high);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, fine ? this.soft.frame : null);
+    gl.viewport(0, 0, wide, high);
+    paint();
+    if (fine) {
+      gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.soft.frame);
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+      gl.blitFramebuffer(0, 0, wide, high, 0, 0, wide, high, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  softTarget(wide, high) {
+    const gl = this.gl, {frame = gl.createFramebuffer(), parts = []} = this.soft || {};
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    for (const part of parts) gl.deleteRenderbuffer(part);
+    const made = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, where]) => {
+      const part = gl.createRenderbuffer();
+      gl.bindRenderbuffer(gl.RENDERBUFFER, part);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, 4, format, wide, high);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, where, gl.RENDERBUFFER, part);
+      return part;
+    });
+    return {frame, parts: made, wide, high};
   }
 
   // The float32 numbers that points of programs without pixels give: tasks are {program, uniforms, inputs, count, width}.

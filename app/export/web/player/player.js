@@ -19,7 +19,8 @@ class Page {
     this.values = this.defaults();
     this.restyle(["dark", "light", "projector"].find(name => location.hash.includes(name)) ||
                  (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark"));
-    document.documentElement.classList.toggle("scene-only", location.hash.includes("scene"));
+    for (const [mode, word] of [["scene-only", "scene"], ["scene-bare", "scene-bare"]])
+      document.documentElement.classList.toggle(mode, location.hash.includes(word));
     this.gpu = new Gpu(this.canvas);
     this.stage = new Stage(this.gpu, content.scene, values => this.data(values));
     this.twins = new Twins(this.gpu, content.twins, values => this.data(values));
@@ -31,8 +32,7 @@ class Page {
     this.tabs();
     this.set(location.search.slice(1));
     this.listen();
-    this.picture(); // before the numbers and formulas: what one waits for
-    this.schedule();
+    this.draw(); // before formulas are set: the picture is what one waits for
   }
 
   defaults() { return Object.fromEntries(this.content.values.map(({name, default: value}) => [name, value])); }
@@ -52,28 +52,35 @@ class Page {
     return scale;
   }
 
-  picture() {
+  picture(fine) {
     const scale = this.fit(this.canvas);
-    this.stage.draw(this.values, this.camera, this.theme, Math.max(1, scale * 0.8));
+    this.stage.aim(this.camera);
+    this.name($("words"), this.canvas, this.stage, this.values); // first: an answer waits for what was drawn before
+    this.stage.draw(this.values, this.theme, fine, Math.max(1, scale * 0.8));
   }
 
   schedule() {
-    if (this.waiting) return;
-    this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
+    this.waiting ||= requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
   }
 
+  // The picture at once and with hard edges; its numbers and plot as soon as it is shown; soft edges when nothing moves.
   draw() {
     if (this.gpu.lost) return;
-    this.picture();
-    this.name($("words"), this.canvas, this.stage, this.values);
-    this.tell();
-    this.plotted();
+    this.picture(false);
     clearTimeout(this.resting);
-    this.resting = setTimeout(() => this.rest(), 300);
-    document.documentElement.dataset.drawn = (this.frames = (this.frames || 0) + 1);
+    this.after ||= setTimeout(() => {
+      this.after = 0;
+      this.tell();
+      this.plotted(false);
+      this.resting = setTimeout(() => this.rest(), 250);
+      document.documentElement.dataset.drawn = this.frames = (this.frames || 0) + 1;
+    });
   }
 
   rest() {
+    if (this.gpu.lost || this.waiting || this.after) return;
+    this.picture(true);
+    if (this.content.plots[this.shown].kind === "space") this.plotted(true);
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
@@ -139,13 +146,13 @@ class Page {
     }));
   }
 
-  plotted() {
+  plotted(fine) {
     const plot = this.content.plots[this.shown], still = $(`still-${this.shown}`);
     for (const one of document.querySelectorAll("img.still")) one.hidden = one !== still;
     $("plot-title").textContent = plot.title;
     $("plot").hidden = plot.kind === "still";
     const made = plot.kind === "still" ? null : this.plots[this.shown] ||= new KINDS[plot.kind](plot, this);
-    const [legend, note] = made ? made.draw($("plot"), this.values) : [[], plot.note];
+    const [legend, note] = made ? made.draw($("plot"), this.values, fine) : [[], plot.note];
     $("legend").replaceChildren(...legend.map(([text, colour, dash]) => {
       const sample = svg("svg", {viewBox: "0 0 30 10", "aria-hidden": "true"}, dash === "area" ? svg("circle", {cx: 15, cy: 5, r: 4.5, fill: colour}) :
         line([[2, 5], [28, 5]], stroke({dash}, colour)));
@@ -308,7 +315,7 @@ class Page {
   }
 
   snapshot() {
-    this.picture(); // a drawing buffer lives until the end of this task
+    this.picture(true); // a drawing buffer lives until the end of this task
     return this.canvas.toDataURL("image/png");
   }
 
@@ -396,13 +403,13 @@ function verdict(ask, truth, guess, choice) {
 // The formulas, once the picture stands.
 function typeset() {
   if (typeof katex === "undefined") return;
-  for (const one of document.querySelectorAll(".math"))
+  for (const one of document.querySelectorAll(".tex"))
     katex.render(one.textContent, one, {displayMode: one.dataset.display === "yes", throwOnError: false, trust: ({command}) => command === "\\htmlClass", strict: false});
 }
 
 function begin() {
   if ($("picture").getContext("webgl2", HOW)) window.halfway = new Page(JSON.parse($("content").textContent));
   else document.documentElement.classList.add("still-only");
-  requestAnimationFrame(() => setTimeout(typeset));
+  addEventListener("load", () => setTimeout(typeset));
 }
 begin();

@@ -12,13 +12,15 @@ class SpacePlot {
     if (plot.lobes) this.models = new Models(plot.lobes, plot.over || "v", page.twins);
   }
 
-  draw(box, values) {
+  draw(box, values, fine) {
     if (this.canvas.parentNode !== box) box.replaceChildren(this.canvas, this.words);
     if (this.gpu.lost) return [[], ""];
     const [legend, note, uniforms] = this[this.plot.what](values), {page} = this;
+    const given = {...values, towards_l: vector("l", values), towards_v: vector("v", values), ...uniforms};
     page.fit(this.canvas);
-    this.stage.draw({...values, towards_l: vector("l", values), towards_v: vector("v", values), ...uniforms}, this.camera, page.theme);
-    page.name(this.words, this.canvas, this.stage, {...values, towards_l: vector("l", values), towards_v: vector("v", values), ...uniforms});
+    this.stage.aim(this.camera);
+    page.name(this.words, this.canvas, this.stage, given);
+    this.stage.draw(given, page.theme, fine);
     return [legend, note];
   }
 

@@ -66,30 +66,35 @@ class Stage {
     return this.arrays.get(name);
   }
 
-  paint(made) {
+  render(made) {
     const gl = this.gpu.gl;
     gl.bindVertexArray(made.array);
     if (made.indexed) gl.drawElements(gl.TRIANGLES, made.count, gl.UNSIGNED_INT, 0);
     else gl.drawArrays(gl.TRIANGLES, 0, made.count);
   }
 
-  draw(values, camera, theme, lineScale = 1) {
-    const gl = this.gpu.gl, {surfaces, marks, dots} = this.scene;
-    const wide = gl.drawingBufferWidth, high = gl.drawingBufferHeight;
-    this.camera = camera;
-    this.matrix = viewProjection(camera, wide / high);
-    this.line = theme.line * Math.max(0.75, Math.min(wide, high) / 620) * lineScale;
-    this.given = {...values, ...this.data(values), view_projection: this.matrix, viewport: [wide, high],
-                  camera_position: cameraPosition(camera), palette: theme.palette, background: theme.linear,
+  // From where the picture is seen; words and drags follow the same matrix.
+  aim(camera) {
+    const {drawingBufferWidth: wide, drawingBufferHeight: high} = this.gpu.gl;
+    Object.assign(this, {camera, matrix: viewProjection(camera, wide / high)});
+  }
+
+  draw(values, theme, fine = true, lineScale = 1) {
+    const gl = this.gpu.gl, {dots} = this.scene, size = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    this.line = theme.line * Math.max(0.75, Math.min(...size) / 620) * lineScale;
+    this.given = {...values, ...this.data(values), view_projection: this.matrix, viewport: size,
+                  camera_position: cameraPosition(this.camera), palette: theme.palette, background: theme.linear,
                   colormap_stops: theme.stops, dot_size: (2 + this.line) * (dots ? dots.size : 1)};
-    for (const use of Object.values(this.uses)) {
-      this.gpu.use(use);
-      this.gpu.give(use, this.given);
-    }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, wide, high);
-    gl.depthMask(true);
+    for (const [name, use] of Object.entries(this.uses))
+      if (name !== "probe" && name !== "anchor") this.gpu.give(this.gpu.use(use), this.given);
     gl.clearColor(...theme.srgb, 1);
+    this.gpu.into(fine, () => this.paint(values));
+  }
+
+  // Opaque surfaces, then dots and marks, then what one looks through.
+  paint(values) {
+    const gl = this.gpu.gl, {surfaces, marks, dots} = this.scene;
+    gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
@@ -97,8 +102,7 @@ class Stage {
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     if (dots) {
-      this.gpu.use(this.uses.dots);
-      this.gpu.give(this.uses.dots, this.data(values));
+      this.gpu.give(this.gpu.use(this.uses.dots), this.data(values));
       gl.bindVertexArray(null);
       gl.drawArrays(gl.POINTS, 0, typeof dots.count === "string" ? Math.round(values[dots.count]) : dots.count);
     }
@@ -114,10 +118,10 @@ class Stage {
     this.gpu.give(use, {...this.data(this.given), surface: i, opacity: surface.opacity});
     if (surface.mesh) {
       const {triangles} = this.given.triangles;
-      this.paint(this.array(name, `mesh ${triangles.length} ${triangles[0]}`, "stage_position", 3,
-                            () => ({corners: triangles})));
+      this.render(this.array(name, `mesh ${triangles.length} ${triangles[0]}`, "stage_position", 3,
+                             () => ({corners: triangles})));
     } else {
-      this.paint(this.array(name, `grid ${surface.cells}`, "stage_st", 2, () => grid(surface.cells)));
+      this.render(this.array(name, `grid ${surface.cells}`, "stage_st", 2, () => grid(surface.cells)));
     }
   }
 
@@ -127,8 +131,8 @@ class Stage {
     this.gpu.give(use, {...this.data(this.given), mark: i, measure_steps: steps, length_steps: mark.tip === 1 ? steps : 0,
                         mark_colour: mark.colour, dash: mark.line, tip: mark.tip, line_width: width,
                         tip_size: mark.tip_size * width});
-    this.paint(this.array("mark", `pen ${mark.segments} ${mark.tip > 0}`, "stage_corner", 3,
-                          () => pen(mark.segments, mark.tip > 0)));
+    this.render(this.array("mark", `pen ${mark.segments} ${mark.tip > 0}`, "stage_corner", 3,
+                           () => pen(mark.segments, mark.tip > 0)));
   }
 
   // Where words and handles stand, in the world: {probes, anchors}; all of them come back in one reading.
