@@ -24,6 +24,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "homework": ("app.homework.command", "the assignments, a file to start from, and the test of their tests"),
     "check": ("app.homework.check", "your answer to an assignment: what is right, what is not, and what it looks like"),
     "grade": ("app.grade.command", "a folder of submissions against an assignment: marks, and a result a student"),
+    "export": ("app.export.web.command", "steps as pages that open in any browser, with a still beside each"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."

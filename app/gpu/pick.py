@@ -6,7 +6,8 @@ import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.gpu.stage import Stage, give, look, on_gpu, program_of
+from app.gpu.stage import Stage, give, on_gpu, program_of
+from app.gpu.stage_text import look
 from app.lesson import Camera
 from app.theme import Theme
 

@@ -1,28 +1,24 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any, cast
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.colormaps import STOPS
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIPS, Programs, Source, grid, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
-from app.optics.colour import srgb_to_linear
 from app.problem import Problem
 from app.shader import Assembled
-from app.theme import Theme, colour, rgb
+from app.theme import Theme, rgb
 
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
 @dataclass(frozen=True)
@@ -52,14 +48,6 @@ def give(use: moderngl.Program, **values) -> None:
 def on_gpu(values: dict) -> dict:
     """The step's values as uniforms; data that is no uniform (a mesh) stays behind."""
     return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
-
-
-@cache
-def look(theme: Theme) -> dict:
-    """What a theme gives to a scene."""
-    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
-            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
-            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
 
 
 class Stage:
