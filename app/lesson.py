@@ -133,6 +133,16 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Text:
+    """GLSL written elsewhere (`file`, from line `first` on) that a scene includes by this name: a user's model."""
+
+    name: str
+    text: str
+    file: str
+    first: int = 1
+
+
+@dataclass(frozen=True)
 class Camera:
     azimuth: float = -50.0  # degrees, from +x towards +y
     elevation: float = 22.0  # degrees
@@ -153,6 +163,8 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    texts: tuple[Text, ...] = ()
+    brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
 @dataclass(frozen=True)

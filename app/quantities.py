@@ -237,6 +237,7 @@ TABLE: dict[str, Quantity] = {
     "map_t": Quantity("t", "", 0.0, 1.0, 0.5, "place on the map, from the front"),
     "map_layers": Quantity("k", "", 0, 4, 4, "how many of the maps are on", kind="int"),
     "map_trap": Quantity("k", "", 0, 3, 0, "which map is read wrongly", kind="int"),
+    "turned": Quantity(r"\psi", "rad", -PI, PI, 0.0, "turn of the picked point about the line of sight"),
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("K", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),

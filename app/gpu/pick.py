@@ -13,12 +13,13 @@ from app.theme import Theme
 
 @dataclass(frozen=True)
 class Pick:
-    """Raw radiance, before exposure and display, the point, the surface, the face of a mesh."""
+    """Raw radiance, before exposure and display, the point, the surface, a mesh's face, the normal it is lit by."""
 
     surface: str
     radiance: tuple[float, float, float]
     position: tuple[float, float, float]
     face: int
+    normal: tuple[float, float, float]
 
 
 def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[float, float]) -> Pick | None:
@@ -28,9 +29,9 @@ def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[flo
     ctx = stage.ctx
     with ctx:
         stage.compile(tuple(name for name in names if name not in stage.programs))
-        parts = [ctx.renderbuffer((1, 1), 4, dtype="f4") for _ in range(2)]
+        parts = [ctx.renderbuffer((1, 1), 4, dtype="f4") for _ in range(3)]
         parts.append(ctx.depth_renderbuffer((1, 1)))
-        target, before = ctx.framebuffer(parts[:2], parts[2]), ctx.fbo
+        target, before = ctx.framebuffer(parts[:3], parts[3]), ctx.fbo
         width, height = stage.size
         zoom = np.diag([width, height, 1.0, 1.0])  # the picked pixel fills the picture of one pixel
         zoom[0, 3], zoom[1, 3] = (1 - 2 * at[0]) * width, (2 * at[1] - 1) * height
@@ -44,7 +45,8 @@ def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[flo
         for i in surfaces:
             stage.paint_surface(i, "values")
         ctx.enable_only(moderngl.NOTHING)
-        radiance, position = (np.frombuffer(target.read(components=4, attachment=i, dtype="f4"), "f4") for i in (0, 1))
+        radiance, position, normal = (
+            np.frombuffer(target.read(components=4, attachment=i, dtype="f4"), "f4") for i in range(3))
         before.use()
         target.release()
         for part in parts:
@@ -52,5 +54,5 @@ def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[flo
     if radiance[3] < 0.5:
         return None
     name = stage.scene.surfaces[int(radiance[3]) - 1].name
-    (r, g, b, _), (x, y, z, face) = radiance.tolist(), position.tolist()
-    return Pick(name, (r, g, b), (x, y, z), int(face))
+    (r, g, b, _), (x, y, z, face), (n_x, n_y, n_z, _) = radiance.tolist(), position.tolist(), normal.tolist()
+    return Pick(name, (r, g, b), (x, y, z), int(face), (n_x, n_y, n_z))

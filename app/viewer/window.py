@@ -236,6 +236,14 @@ class Window:
         except Usage as problem:
             self.message = str(problem)
 
+    def brush(self, at: dict[str, float] | None) -> None:
+        """Another point is picked: these angles make its normal the picked one."""
+        if at is None:
+            self.message = "No light reaches that point, so there is nothing to take apart."
+        else:
+            self.message = ""
+            self.stand(at)
+
     def open_link(self, target: str) -> None:
         """A link of the prose: it sets values, leads to a step, or opens in the browser."""
         try:
