@@ -164,6 +164,7 @@ class Scene:
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
     texts: tuple[Text, ...] = ()
+    measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
@@ -200,6 +201,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    tab: str = ""  # a word for its tab
 
 
 @dataclass(frozen=True)
@@ -276,6 +278,7 @@ class Slice(Worded):
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
     kind: Literal["polar", "angle"] = "polar"
+    tab: str = ""
 
 
 @dataclass(frozen=True)
