@@ -4,12 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
-from app import tables
+from app import edit, tables
 from app.board.board_step import MOST, name_of, words_of
 from app.board.models import FILES
 from app.catalog import BOARD
+from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
-from app.gpu.stage_text import Source
 from app.ies import Photometry, read
 from app.meshes import Mesh, built_in, load
 from app.problem import Problem
@@ -25,6 +25,8 @@ class Belongings:
         self.lamp = 0  # that was chosen when the user's luminaire came
         self.placed: tuple = ()  # the step and the mesh on the stage
         self.fault = ""  # why this step has no picture
+        self.tried: tuple = ()  # the step and the texts that were compiled last
+        self.wrong = ""  # what is wrong with the user's texts
 
     @property
     def data(self) -> dict[str, np.ndarray]:
@@ -85,8 +87,13 @@ class Belongings:
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
         shape = int(values.get("shape", 0)) if is_mesh else -1
         wanted = found.id, shape, id(self.mesh) if is_mesh else 0
-        if wanted == self.placed:
-            return
+        if wanted != self.placed:
+            self.place_anew(wanted)
+        self.write()
+
+    def place_anew(self, wanted: tuple) -> None:
+        found, (_, shape, _) = self.app.session.current, wanted
+        is_mesh = shape >= 0
         was, self.placed, self.fault = self.placed, wanted, ""
         if self.mesh is not None and was[:1] == (found.id,) and was[1] not in (-1, shape):
             self.mesh, self.placed = None, (found.id, shape, id(None))  # a shape was chosen: back to the scene's own
@@ -97,8 +104,30 @@ class Belongings:
                 scene.stage.place(self.triangles)
                 scene.drawn = None
             else:
-                source = Source(found.step.scene, found.file_name, found.glsl_line)
-                scene.show(Stage(self.app.ctx, source, self.triangles))
+                self.tried = ()
+                scene.show(Stage(self.app.ctx, edit.source_of(found), self.triangles))
         except Problem as problem:
             self.fault = str(problem)
+        self.app.ctx.screen.use()
+
+    def write(self) -> None:
+        """The user's texts in the scene and in whatever evaluates its twins; while one is wrong, those before stay."""
+        session, stage = self.app.session, self.app.scene.stage
+        found, known = session.current, session.functions
+        texts = {name: text for name, text in session.visit.texts.items() if name in known}
+        if stage is None or self.tried == (found.id, texts):
+            return
+        self.tried, self.wrong = (found.id, texts), ""
+        try:
+            for name, text in texts.items():
+                edit.check(text, known[name])
+            source = edit.source_of(found)
+            stage.rewrite(edit.overrides(texts, known, source))
+            for function, overrides in edit.twins(found, texts):
+                compiled(function, overrides, self.app.ctx)
+        except Problem as problem:
+            self.wrong = str(problem)
+        else:
+            session.run(texts)
+            self.app.scene.drawn = None
         self.app.ctx.screen.use()

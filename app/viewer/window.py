@@ -25,6 +25,7 @@ from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
+from app.viewer.editor_panel import EditorPanel
 from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
@@ -63,6 +64,7 @@ class Window:
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
         self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
+        self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
@@ -130,9 +132,11 @@ class Window:
         unit = imgui.get_font_size()
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
+        if self.editor.is_open:
+            left = round(0.42 * size.x)
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, self.text_column)
+        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -201,6 +205,8 @@ class Window:
             self.session.freeze(not self.session.frozen)
         elif key == "p":
             self.session.show_plot(self.session.visit.plot + 1)
+        elif key == "e":
+            self.editor.toggle()
         elif key == "?":
             self.show_help = not self.show_help
 
@@ -259,6 +265,8 @@ class Window:
         try:
             if target.startswith("?"):
                 self.session.apply(target)
+            elif target.startswith("code:"):
+                self.editor.open(target.removeprefix("code:"))
             elif target.startswith(("http://", "https://")):
                 webbrowser.open(target)
             else:
@@ -274,7 +282,7 @@ class Window:
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
         values = self.session.values
-        return {**values, **self.session.current.derived(values), **self.own.data}
+        return {**values, **self.session.current.derived(values), **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
