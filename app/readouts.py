@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.lesson import Readout, Step
+from app.needs import key, of_term
 from app.problem import Problem
 from app.terms import evaluate
 
@@ -19,6 +20,7 @@ ROUNDING = {"float64": 2.0**-52, "float32": 2.0**-23}  # one unit in the last pl
 DIGITS = {"float64": 17, "float32": 9}  # enough to tell any two neighbours apart
 SUMS = {"solid_angle_mesh": 4 * math.pi, "winding_number": 1.0}  # signed sums of terms of this size: they cancel
 NOTHING = 1e-12  # of that size is 0, but for rounding
+Known = dict[str, tuple[tuple, tuple[float, float]]]  # a readout's label -> the values it needs, what it was and cost
 _warm: set[tuple[str, str]] = set()  # what has been evaluated once: compiling is no part of a number's cost
 
 
@@ -36,11 +38,20 @@ class Number:
     cost_text: str = ""
 
 
-def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
-    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`)."""
-    found = {readout.label: measured(readout, values, ctx) for readout in step.readouts}
+def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> list[Number]:
+    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`). What is `known` and
+    does not depend on a value that has changed is not computed again."""
+    found = {readout.label: remembered(readout, values, ctx, {} if known is None else known)
+             for readout in step.readouts}
     shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
     return [number_of(readout, *found[readout.label], shown.get(readout.against)) for readout in step.readouts]
+
+
+def remembered(readout: Readout, values: dict, ctx, known: Known) -> tuple[float, float]:
+    now = key(values, of_term(readout.term))
+    if known.get(readout.label, ((None,),))[0] != now:
+        known[readout.label] = now, measured(readout, values, ctx)
+    return known[readout.label][1]
 
 
 def without_rounding(readout: Readout, value: float) -> float:

@@ -1,9 +1,9 @@
 """The plot beside the scene: wished for when something changed, drawn by a process of its own, shown when it comes."""
 
 import moderngl
-import numpy as np
 from imgui_bundle import ImVec2, imgui
 
+from app import needs
 from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
 from app.plots.wire import Spot
@@ -99,10 +99,8 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-        triangles = values.get("triangles")
-        shown = {k: v for k, v in values.items() if k != "triangles"}
-        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, plot.title, known, size, theme.name, camera
+        triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
+        wanted = found.id, plot.title, needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return

@@ -17,7 +17,7 @@ from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.readouts import numbers
+from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
 from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
@@ -66,6 +66,7 @@ class Window:
         self.own = Belongings(self)
         self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
+        self.measured: Known = {}  # of this step
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
@@ -287,7 +288,9 @@ class Window:
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
-            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
+                self.measured.clear()
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)
             self.ctx.screen.use()
         return self.figures[1]
 
