@@ -25,7 +25,7 @@ from app.quantities import TABLE
 U = {"float64": 2.0**-53, "float32": 2.0**-24}
 FACTOR = 8.0
 STEP = 2.0**-24  # of the differences: the change that rounding to float32 makes
-CONSTANT = ("triangles", "table")  # data, not inputs: they are given as they are
+CONSTANT = ("triangles", "table", "roughness_map")  # data, not inputs: they are given as they are
 SMALLEST = {"float64": 1000 * 2.0**-1022, "float32": 1000 * 2.0**-126}  # below: compared absolutely
 LARGEST = {"float64": 2.0**1023, "float32": 2.0**127}  # beyond: the type has no number for it, and infinite is right
 
@@ -240,9 +240,9 @@ def _worth_terms(m, bump_slope):
     return 2 * twin("samples_worth")(m, bump_slope) * (either + moved("filter_error", args) / one)
 
 
-def _stored_terms(power, function, map_s, map_t):
+def _stored_terms(power, function, roughness_map, map_s, map_t):
     """The roughness of a map is rounded, then decoded: what a power of 2.4 makes of that, `power` times."""
-    return power * 3.4 * twin(function)(map_s, map_t)
+    return power * 3.4 * twin(function)(roughness_map, map_s, map_t)
 
 
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel

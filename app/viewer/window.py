@@ -50,6 +50,7 @@ class Window:
         size: tuple[int, int] = (1280, 720),
         folder: Path = LESSONS,
         ies: str | None = None,
+        maps: tuple[str, ...] = (),
     ):
         self.progress = Progress()
         self.session = Session(start, self.progress, folder)
@@ -57,7 +58,7 @@ class Window:
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
         self.styled: tuple | None = None
-        self.show_welcome = not start and mesh is None and ies is None
+        self.show_welcome = not start and mesh is None and ies is None and not maps
         self.show_outline = self.show_help = self.show_notes = False
         self.query = ""
         self.message = self.progress.message or self.session.message
@@ -72,6 +73,7 @@ class Window:
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
+        self.own.take_maps(maps)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
