@@ -19,6 +19,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
+    "stress": ("app.stress.command", "stability: every function and every scene at its extremes"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."

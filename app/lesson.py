@@ -153,6 +153,7 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
 
 
 @dataclass(frozen=True)
