@@ -26,7 +26,7 @@ import numpy as np
 from app.furnace import PART, POLES, albedo, first_look
 from app.hemisphere import NORMAL
 from app.lesson import Model
-from app.optics import arguments
+from app.optics import arguments, twin
 from app.optics.spherical import direction
 from app.readouts import three
 from app.terms import bound, evaluate
@@ -190,9 +190,10 @@ def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
 
 
 def key(model: Model, values: dict) -> tuple:
-    """What a model's badges depend on: the twin and its arguments, without the directions."""
+    """What a model's badges depend on: the twin, another one once its file has changed, and its arguments, without the
+    directions."""
     args = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0, radiance=0)
-    return model.term.function, tuple((name, str(value)) for name, value in args.items())
+    return twin(model.term.function), tuple((name, str(value)) for name, value in args.items())
 
 
 def told(name: str, badge: Badge) -> str:

@@ -276,8 +276,42 @@ class ImageSlice:
     models: tuple[Model, ...] = ()
 
 
+@dataclass(frozen=True)
+class Method:
+    """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
+    whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
+    arguments in the step, or what `sets` says, "N" standing for the samples."""
+
+    label: str
+    rule: str = ""
+    term: Term | None = None
+    cost: str = ""
+    ladder: tuple[int, ...] = ()  # none: the rule's own
+    sets: dict[str, Number | str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Study(Worded):
+    """Error against run time: what a quantity costs by several methods. It is what their twins estimate, or the
+    integral of a product of twins over "directions" (all l, times n.l), "halfways" (all h, times n.h), the "sphere"
+    (all `towards`), "angles" (all theta and phi) or "wavelengths". `halfway study` looks at all `cases`; an error is
+    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` (a value, a twin) how wide the lobe is."""
+
+    title: str
+    exact: Term | Method | float
+    methods: tuple[Method, ...]
+    why: str  # why the winner wins
+    over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
+    integrand: tuple[Term, ...] = ()
+    sampler: str = ""
+    width: str | Term = ""
+    about: Literal["halfway", "mirror"] = "halfway"
+    cases: tuple[dict[str, Number], ...] = ({},)
+    worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
+
 ModelPlot = Lobes | Slice | ImageSlice
-Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice
+Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study
 
 
 @dataclass(frozen=True)
@@ -322,11 +356,13 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
+    study: Study | None = None  # of lessons/studies.py
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
-        """Its plots, each with the models it shows."""
+        """Its plots, each with the models it shows; its study last."""
         given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
+        given += (self.study,) if self.study else ()
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
 

@@ -1,28 +1,24 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any, cast
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.colormaps import STOPS
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
-from app.optics.colour import srgb_to_linear
 from app.problem import Problem
 from app.shader import Assembled
-from app.theme import Theme, colour, rgb
+from app.theme import Theme, rgb
 
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
 @dataclass(frozen=True)
@@ -54,14 +50,6 @@ def on_gpu(values: dict) -> dict:
     return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
 
 
-@cache
-def look(theme: Theme) -> dict:
-    """What a theme gives to a scene."""
-    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
-            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
-            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
-
-
 class Stage:
     def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
         self.ctx, self.source, self.scene = ctx, source, source.scene
@@ -77,13 +65,15 @@ class Stage:
             self.place(triangles)
 
     def compile(self, names: tuple[str, ...] | None) -> None:
-        texts = programs(self.scene, self.source.file, self.source.first, names=names)
-        for name, (vertex, fragment) in texts.items():
+        for name, (vertex, fragment) in self.texts(names).items():
             if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     self.programs[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment))
             else:
                 self.programs[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",))
+
+    def texts(self, names: tuple[str, ...] | None) -> Programs:
+        return programs(self.scene, self.source.file, self.source.first, names=names)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
