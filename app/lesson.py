@@ -133,6 +133,16 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Text:
+    """GLSL written elsewhere (`file`, from line `first` on) that a scene includes by this name: a user's model."""
+
+    name: str
+    text: str
+    file: str
+    first: int = 1
+
+
+@dataclass(frozen=True)
 class Camera:
     azimuth: float = -50.0  # degrees, from +x towards +y
     elevation: float = 22.0  # degrees
@@ -154,6 +164,9 @@ class Scene:
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
     negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
+    texts: tuple[Text, ...] = ()
+    measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
 @dataclass(frozen=True)
@@ -189,6 +202,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    tab: str = ""  # a word for its tab
 
 
 @dataclass(frozen=True)
@@ -265,6 +279,7 @@ class Slice(Worded):
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
     kind: Literal["polar", "angle"] = "polar"
+    tab: str = ""
 
 
 @dataclass(frozen=True)

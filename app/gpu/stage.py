@@ -87,6 +87,10 @@ class Stage:
                 self.hold("triangles", triangles)
                 if any("normals" in use for use in self.programs.values()):
                     self.hold("normals", corner_normals(triangles))
+        for uniform, path in self.scene.measured:
+            from app.board import merl
+
+            self.hold(uniform, merl.read(path).table)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 

@@ -5,6 +5,9 @@ from pathlib import Path
 import numpy as np
 
 from app import tables
+from app.board.board_step import MOST, name_of, words_of
+from app.board.models import FILES
+from app.catalog import BOARD
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.ies import Photometry, read
@@ -30,10 +33,12 @@ class Belongings:
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
-        """A file that was dropped or named: a luminaire by its ending, else a mesh."""
+        """A file that was dropped or named: a luminaire or a reflectance model by its ending, else a mesh."""
         app = self.app
         try:
-            if Path(path).suffix.lower() == ".ies":
+            if Path(path).suffix.lower() in FILES:
+                self.take_model(path)
+            elif Path(path).suffix.lower() == ".ies":
                 self.take_ies(path)
             else:
                 self.take_mesh(path)
@@ -48,6 +53,16 @@ class Belongings:
             session.go(next(s.id for s in session.steps if s.step.scene.tables))
         self.ies, self.lamp = found, int(session.values.get("luminaire", 0))
         self.app.message = found.summary
+
+    def take_model(self, path: str) -> None:
+        """The user's own model, on the board: beside what is there, or on a board of its own."""
+        session = self.app.session
+        words = words_of(session.current.step.name) if session.current.id.startswith(BOARD) else []
+        others = [(word, on) for word, on in words if word != path]
+        room = sum(on for _, on in others) < MOST
+        session.examine(BOARD + name_of([*others, (path, room)]))
+        entry = next(e for e in session.current.entries if e.word == path)
+        self.app.message = entry.fault or ("" if room else f"{entry.label} is on the list; {MOST} models are shown.")
 
     def take_mesh(self, path: str) -> None:
         """The user's own mesh, in the step about meshes."""

@@ -20,7 +20,7 @@ TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lob
 
 def tab_words(plots: tuple[Plot, ...]) -> list[str]:
     """One word for each plot, with a number where two have the same."""
-    words = [TABS[type(plot)] for plot in plots]
+    words = [getattr(plot, "tab", "") or TABS[type(plot)] for plot in plots]
     return [word if words.count(word) == 1 else f"{word} {words[:i].count(word) + 1}" for i, word in enumerate(words)]
 
 
@@ -49,9 +49,13 @@ class PlotPanel:
         plots = session.current.step.plots
         if len(plots) < 2:
             return
+        gap = 0.2 * imgui.get_font_size()
+        right = imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
         for i, word in enumerate(tab_words(plots)):
             if i:
-                imgui.same_line(0, 0.35 * imgui.get_font_size())
+                imgui.same_line(0, gap)
+                if imgui.get_cursor_pos_x() + imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x > right:
+                    imgui.new_line()
             chosen = i == session.visit.plot
             if chosen:
                 imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))

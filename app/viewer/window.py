@@ -11,6 +11,7 @@ from pathlib import Path
 from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
+from app.catalog import BOARD
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
@@ -22,6 +23,7 @@ from app.theme import THEMES, Theme, rgb
 from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
+from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
 from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
@@ -59,7 +61,7 @@ class Window:
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
-        self.badges = BadgesPanel(self)
+        self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
@@ -130,7 +132,7 @@ class Window:
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, lambda: text_panel.draw(self))
+        self.column("Text", 0, left, height, self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -148,9 +150,15 @@ class Window:
         draw()
         imgui.end()
 
+    def text_column(self) -> None:
+        if self.session.current.id.startswith(BOARD):
+            self.board.draw(self.values)
+        else:
+            text_panel.draw(self)
+
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = controls.height(self.session.current.values.values(), room.x)
+        below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
         if self.own.fault:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
@@ -169,6 +177,8 @@ class Window:
         self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * room.x)))
         imgui.spacing()
         try:
+            if self.session.current.id.startswith(BOARD):
+                self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
         except Problem as problem:
@@ -236,6 +246,14 @@ class Window:
         except Usage as problem:
             self.message = str(problem)
 
+    def brush(self, at: dict[str, float] | None) -> None:
+        """Another point is picked: these angles make its normal the picked one."""
+        if at is None:
+            self.message = "No light reaches that point, so there is nothing to take apart."
+        else:
+            self.message = ""
+            self.stand(at)
+
     def open_link(self, target: str) -> None:
         """A link of the prose: it sets values, leads to a step, or opens in the browser."""
         try:
@@ -255,7 +273,8 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        return {**self.session.values, **self.own.data}
+        values = self.session.values
+        return {**values, **self.session.current.derived(values), **self.own.data}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
