@@ -165,6 +165,7 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
     texts: tuple[Text, ...] = ()
     measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
