@@ -19,7 +19,12 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
+    "compare": ("app.compare.command", "a step's material by our GLSL and by pyrender, and why they differ"),
+    "study": ("app.study.command", "error against run time: what a digit costs, by every method"),
+    "homework": ("app.homework.command", "the assignments, a file to start from, and the test of their tests"),
+    "check": ("app.homework.check", "your answer to an assignment: what is right, what is not, and what it looks like"),
     "grade": ("app.grade.command", "a folder of submissions against an assignment: marks, and a result a student"),
+    "export": ("app.export.web.command", "steps as pages that open in any browser, with a still beside each"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."

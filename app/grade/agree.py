@@ -15,8 +15,7 @@ from app.tolerance import FACTOR, TERMS, moved, norm
 
 U = {"python": 2.0**-44, "glsl": 2.0**-24}
 WIDE = 0.1  # of f: beyond it the allowance is a factor
-NOTHING = 1e-37  # below, float32 has no number: finite and at most NEARLY is right
-NEARLY = 1e-30
+NOTHING = 1e-30  # below, float32 may have lost it on the way: finite and no larger is right
 LARGEST = 2.0**127
 
 
@@ -68,7 +67,7 @@ def agrees(known: Truth, given: np.ndarray) -> np.ndarray:
         signed = np.sum(given * known.value, -1) if vector else given * known.value
         factor = np.abs(np.log(number) - np.log(size)) <= known.relative
         good = np.where(known.relative <= WIDE, near, (off <= known.absolute) | ((signed > 0) & factor))
-        good = np.where(size < NOTHING, number <= np.maximum(NEARLY, known.absolute), good)
+        good = np.where(size < NOTHING, number <= np.maximum(NOTHING, known.absolute), good)
         finite = np.isfinite(given) if not vector else np.all(np.isfinite(given), -1)
         beyond = (size > LARGEST) & (signed > 0)
     return (good & finite) | beyond

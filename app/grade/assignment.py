@@ -25,6 +25,7 @@ from app.tolerance import CONSTANT
 
 FOLDER = LESSONS / "homework"
 LANGUAGES = ("python", "glsl")
+TEXTS = ("solutions", "mutants")  # files beside them that are no assignments
 WIDTHS = {"vec2": 2, "vec3": 3, "vec4": 4}
 PROPERTIES = {"reciprocity": "light and eye swapped give the same", "positivity": "never below 0",
               "bound": "never above 1", "energy": "no more light leaves than arrives"}
@@ -152,7 +153,7 @@ class Reader:
 
 
 def assignments(folder: Path = FOLDER) -> list[str]:
-    return [path.stem for path in sorted(folder.glob("*.toml"))]
+    return [path.stem for path in sorted(folder.glob("*.toml")) if path.stem not in TEXTS]
 
 
 def load(name: str | Path) -> Assignment:

@@ -9,13 +9,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.grade.agree import Truth, agrees, truth
+from app.grade.agree import NOTHING, Truth, agrees, truth
 from app.grade.assignment import Task, own_module
 from app.grade.result import Suspect
 from app.grade.variants import VARIANTS
 from app.tolerance import norm
 
-MATCH = 0.95
+MATCH, RIVAL = 0.95, 0.01  # a second one must match nearly as well as the best
 CLEAR, CLOSE = 0.01, 1e-3  # relative: clearly different from the right value; the same as the variant
 FEWEST = 3  # points at which it must differ
 MOST = 2
@@ -95,13 +95,20 @@ def suspects(task: Task, language: str, args: dict[str, np.ndarray], values: np.
         share, points = 0.0, 0
         for variant in variants:
             if name == "unstable_form":
-                one = pattern(variant, right, args, values)
+                one = pattern(variant, right, args, values, language)
             else:
-                one = matched(np.asarray(evaluated(variant, args), float), right, values)
+                one = matched(as_kept(evaluated(variant, args), language), right, values)
             share, points = max((share, points), one)
         if share >= MATCH:
             found.append((-points, order, Suspect(name, task.function, message, round(share, 4))))
-    return [suspect for *_, suspect in sorted(found, key=lambda one: one[:2])[:MOST]]
+    best = max((suspect.match for *_, suspect in found), default=0.0)
+    return [one for *_, one in sorted(found, key=lambda one: one[:2]) if one.match >= best - RIVAL][:MOST]
+
+
+def as_kept(wrong: np.ndarray, language: str) -> np.ndarray:
+    """What the language can hold of a number: float32 ends at 3e38."""
+    with np.errstate(over="ignore"):
+        return np.asarray(wrong, np.float32 if language == "glsl" else float).astype(float)
 
 
 def evaluated(variant: Callable, args: dict[str, np.ndarray]) -> np.ndarray:
@@ -119,6 +126,7 @@ def matched(wrong: np.ndarray, right: Truth, values: np.ndarray) -> tuple[float,
     with np.errstate(all="ignore"):
         clear = ~(norm(wrong - right.value, vector) <= CLEAR * size + 10 * right.allowed)
         same = norm(values - wrong, vector) <= CLOSE * norm(wrong, vector) + 2 * right.allowed
+    clear &= ~(size < NOTHING) | ~np.isfinite(norm(wrong, vector))
     strange = ~np.isfinite(wrong if not vector else wrong.sum(-1)) & ~np.isfinite(values if not vector else values.sum(-1))
     count = int(np.sum(clear))
     if count < FEWEST or np.mean((agrees(right, values) | same | strange)[~clear] if np.any(~clear) else 1.0) < 0.5:
@@ -126,9 +134,11 @@ def matched(wrong: np.ndarray, right: Truth, values: np.ndarray) -> tuple[float,
     return float(np.mean((same | strange)[clear])), count
 
 
-def pattern(form: Callable, right: Truth, args: dict[str, np.ndarray], values: np.ndarray) -> tuple[float, int]:
+def pattern(form: Callable, right: Truth, args: dict[str, np.ndarray], values: np.ndarray,
+            language: str) -> tuple[float, int]:
     """An unstable form has no digits to compare: the answers are wrong where it is, and right where it is right."""
-    narrow = {name: x.astype(np.float32) for name, x in args.items()}
+    kind = np.float32 if language == "glsl" else float
+    narrow = {name: x.astype(kind) for name, x in args.items()}
     lost = ~agrees(right, np.asarray(evaluated(form, narrow), float))
     wrong = ~agrees(right, values)
     vector = values.ndim > 1

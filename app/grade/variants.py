@@ -27,15 +27,6 @@ def changed(function: str, **new):
     return lambda **a: twin(function)(**a | {name: compute(**a) for name, compute in new.items()})
 
 
-def swapped_for(function: str, other: str, *drop: str, **new):
-    """Another twin in its place."""
-    def variant(**a):
-        given = {name: x for name, x in a.items() if name not in drop}
-        return twin(other)(**given | {name: compute(**a) for name, compute in new.items()})
-
-    return variant
-
-
 # --- lobes -----------------------------------------------------------------------------------------------------------
 def upper(n, l, v):
     return (_dot(n, l) > 0) & (_dot(n, v) > 0)
@@ -87,10 +78,6 @@ def beckmann(exponent, norm=lambda m: pi * m * m):
     return variant
 
 
-def float_pi(n, h, m):
-    return twin("d_beckmann_naive")(n, h, m)
-
-
 def groove(shape):
     """shape(masking, shadowing) of g_vgroove, each a share without a bound."""
     def variant(n_dot_h, n_dot_v, n_dot_l, l_dot_h):
@@ -127,13 +114,9 @@ def spot_backwards(off_axis, hotspot, falloff):
     return twin("spot_linear")(pi - np.asarray(off_axis), hotspot, falloff)
 
 
-def signed(theta):
-    """What a clamped cosine is without its clamp: theta is held where nothing is clamped, and the sign comes back."""
-    return np.cos(theta)
-
-
 def point_light(flux_to_intensity, name):
-    return lambda distance, theta, **a: flux_to_intensity(a[name]) * signed(theta) / distance**2
+    """Without the clamp of its cosine."""
+    return lambda distance, theta, **a: flux_to_intensity(a[name]) * np.cos(theta) / distance**2
 
 
 # --- unstable forms: right on paper ----------------------------------------------------------------------------------
@@ -165,8 +148,7 @@ def ring_printed(theta, d_theta, candela_below, candela_above):
 
 
 UNSTABLE = {  # judged by where it is wrong, not by its digits
-    "d_beckmann": float_pi,
-    "lobe_blinn": lambda **a: twin("lobe_blinn_naive")(**a),
+    "d_beckmann": lambda **a: twin("d_beckmann_naive")(**a),
     "solid_angle_triangle": triangle_printed,
     "solid_angle_cone": lambda half_angle: 2 * pi * (1 - np.cos(half_angle)),
     "solid_angle_sphere": lambda radius, distance: 2 * pi * (1 - np.sqrt(1 - (radius / distance) ** 2)),
@@ -192,12 +174,12 @@ def in_degrees(function: str):
     def result(**a):
         return np.degrees(twin(function)(**a))
 
-    return (smaller, larger) if function not in ANSWERS_ANGLE else (smaller, larger, result)
+    return {"solid_angle_triangle": (result,), "solid_angle_cone": (smaller, larger, result), "groove_open": (larger,),
+            "solid_angle_patch_small": (larger,)}.get(function, (smaller, larger))  # what has a look of its own
 
 
-ANSWERS_ANGLE = ("solid_angle_triangle", "solid_angle_cone", "brewster_angle")  # sr and rad
 WITH_ANGLES = ("illuminance_isotropic", "illuminance_point", "spot_linear", "ies_ring_flux", "groove_open",
-               "solid_angle_cone", "solid_angle_patch_small", "irradiance_cap")
+               "solid_angle_cone", "solid_angle_patch_small", "solid_angle_triangle", "irradiance_cap")
 
 FLUX, CANDELA = "luminous_flux", "luminous_intensity"
 VARIANTS: dict[str, dict] = {
@@ -217,8 +199,7 @@ VARIANTS: dict[str, dict] = {
         "illuminance_isotropic": point_light(lambda x: x / (4 * pi), FLUX),
         "illuminance_point": point_light(lambda x: x, CANDELA),
         "brdf_lambert": lambda n, l, v, rho: rho / pi},
-    "kd_plus_ks": {"body_coupled": lambda n_dot_l, n_dot_v, rho, f0: rho / pi + 0 * n_dot_l,
-                   "brdf_coated": lambda **a: twin("brdf_coated")(**a | {"coupling": 0})},
+    "kd_plus_ks": {"body_coupled": lambda n_dot_l, n_dot_v, rho, f0: rho / pi + 0 * n_dot_l},
     "reflect_sign": {"reflection_vector": lambda n, l: reflected(l, n), "lobe_phong": wrong_side_lobe},
     "rv_not_clamped": {"lobe_phong": open_lobe},
     "phong_for_blinn": {"lobe_blinn": phong_lobe, "brdf_blinn_phong": blinn(phong_lobe)},
@@ -238,7 +219,7 @@ VARIANTS: dict[str, dict] = {
                                      changed("d_ggx", alpha=lambda alpha, **a: alpha**2)),
                            "lambda_ggx": (changed("lambda_ggx", alpha=lambda alpha, **a: np.sqrt(alpha)),
                                           changed("lambda_ggx", alpha=lambda alpha, **a: alpha**2))},
-    "degrees": {name: in_degrees(name) for name in (*WITH_ANGLES, "solid_angle_triangle")},
+    "degrees": {name: in_degrees(name) for name in WITH_ANGLES},
     "unstable_form": UNSTABLE,
     "schlick_macro": {
         "brdf_cook_torrance": tuple((lambda n, l, v, m, f0, w=which: twin("cook_torrance_dg")(n, l, v, m)
@@ -269,8 +250,11 @@ VARIANTS: dict[str, dict] = {
     "watt_as_lumen": {"luminous_flux_radiated": lambda radiant_flux, radiation_efficacy: radiant_flux
                       + 0 * radiation_efficacy,
                       "bulb_luminous_intensity": lambda electrical_power, source_efficacy: electrical_power / (4 * pi)},
-    "candela_squared": {"illuminance_point": changed(
-        "illuminance_point", luminous_intensity=lambda luminous_intensity, **a: luminous_intensity**2)},
+    "candela_squared": {
+        "illuminance_point": changed("illuminance_point", luminous_intensity=lambda luminous_intensity, **a: (
+            luminous_intensity**2)),
+        "ies_ring_flux": changed("ies_ring_flux", candela_below=lambda candela_below, **a: candela_below**2,
+                                 candela_above=lambda candela_above, **a: candela_above**2)},
     "spot_full_angle": {"spot_linear": changed("spot_linear", hotspot=lambda hotspot, **a: hotspot / 2,
                                                falloff=lambda falloff, **a: falloff / 2)},
     "spot_sign": {"spot_linear": spot_backwards},
