@@ -51,7 +51,7 @@ class Property:
 
 @dataclass(frozen=True)
 class Picture:
-    """A sphere drawn by the task's function: n and v vary over the pixels, the other arguments are given."""
+    """A sphere drawn by the task's function: n varies over the pixels, l is the picture's light, v looks along the axis."""
 
     size: int = 96
     weight: float = 2.0
@@ -373,6 +373,6 @@ def picture_of(path: Path, place: str, table: object, arguments: tuple[str, ...]
     weight = top.take("weight", float, "a number above 0", 2.0, 1e-9)
     if not {"n", "v"} <= set(arguments):
         raise Usage(f"{path.name}: {place} needs a function of n and v; {', '.join(arguments)} are its arguments.")
-    given = domains_of(top, tuple(name for name in arguments if name not in ("n", "v")), free)
+    given = domains_of(top, tuple(name for name in arguments if name not in ("n", "v", "l")), free)
     top.done()
     return Picture(size, weight, given)

@@ -41,7 +41,7 @@ def test(task: Task, language: str, part: str, most: float, values: np.ndarray) 
     return Test(f"{task.function}/picture", "image", task.function, "picture", language, part, most,
                 most * share, most, verdict, len(values), int(np.sum(~right)), worst,
                 message_key="picture" if message else "", message=message,
-                figures=figures(images["expected"], images["got"], mask) if message else ())
+                figures=figures(images["expected"], images["got"], mask) if message and part == "visible" else ())
 
 
 def image(values: np.ndarray, mask: np.ndarray) -> np.ndarray:
@@ -58,8 +58,8 @@ def errors(expected: np.ndarray, got: np.ndarray, mask: np.ndarray) -> tuple[np.
     nearest = off.copy()
     for dy in (-1, 0, 1):
         for dx in (-1, 0, 1):
-            moved = np.roll(got, (dy, dx), (0, 1))
-            nearest = np.minimum(nearest, np.where(np.roll(mask, (dy, dx), (0, 1)), distance(expected, moved), np.inf))
+            moved, there = (np.roll(one, (dy, dx), (0, 1)) for one in (expected, mask))
+            nearest = np.minimum(nearest, np.where(there, distance(moved, got), np.inf))
     off = np.where(rim, nearest, off)
     size = np.sqrt(np.mean(np.sum(expected[mask] ** 2, -1)))
     top = np.percentile(np.sqrt(np.sum(expected[mask] ** 2, -1)), 99.9)

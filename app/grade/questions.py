@@ -16,7 +16,7 @@ from app.grade.question import Question
 
 PART = {"visible": False, "hidden": True}
 PUBLIC = "public"  # the seed of the visible points
-SUN = ((0.36, -0.48, 0.8), (-0.8, -0.36, 0.48))  # where the light of a picture is, of the visible and the hidden one
+SUN = ((0.36, 0.48, 0.8), (-0.8, 0.36, 0.48))  # where the light of a picture is, of the visible and the hidden one
 
 
 @dataclass(frozen=True)
@@ -112,8 +112,6 @@ def pixels(picture: Picture, arguments: tuple[str, ...], hidden: bool) -> tuple[
     rng = rng_of("picture", hidden)
     given = {"n": n, "v": np.repeat([[0.0, 0.0, 1.0]], count, 0), "l": np.repeat([SUN[hidden]], count, 0)}
     for name, domain in picture.args.items():
-        if name == "l" and domain.form != "fixed":
-            continue
         one = draw({name: domain}, rng, 1)[name]
         given[name] = np.repeat(one, count, 0)
     return {name: as_float32(given[name]) for name in arguments}, mask

@@ -49,7 +49,8 @@ def stub(task: Task, language: str) -> str:
         return f"import numpy as np\n\n\ndef {task.function}({', '.join(task.arguments)}):\n    return np.zeros({many})\n"
     signature = ", ".join(f"{KINDS[width]} {name}" for name, width in zip(task.arguments, task.widths, strict=True))
     kind = KINDS[task.width]
-    return f"{kind} {task.function}({signature}) {{\n    return {kind}(0.0);\n}}\n"
+    zero = "0.0" if task.width == 1 else f"{kind}(0.0)"
+    return f"{kind} {task.function}({signature}) {{\n    return {zero};\n}}\n"
 
 
 def units(task: Task) -> str:
@@ -83,10 +84,13 @@ def joined(parts: list[tuple[str, str]], language: str) -> str:
     imports: list[str] = []
     for _, text in parts:
         lines = text.strip("\n").split("\n")
-        imports += [line for line in lines if line.startswith(("import ", "from ")) and line not in imports]
-        body = "\n".join(line for line in lines if not line.startswith(("import ", "from "))).strip("\n")
-        kept.append(body)
+        imports += [line for line in lines if imported(line) and line not in imports]
+        kept.append("\n".join(line for line in lines if not imported(line)).strip("\n"))
     return "\n".join(imports) + "\n\n\n" + "\n\n\n".join(kept) + "\n"
+
+
+def imported(line: str) -> bool:
+    return line.startswith(("import ", "from "))
 
 
 def declares(text: str, language: str) -> dict[str, str]:
