@@ -123,7 +123,7 @@ class Page {
 
   tell() {
     const {readouts} = this.content, found = this.twins.all(readouts.map(({term}) => [term, this.values]));
-    const value = found.map(([x]) => x), exact = new Map(readouts.map(({label}, i) => [label, value[i]]));
+    const value = found.map(([x], i) => Math.abs(x) <= readouts[i].nothing ? 0 : x), exact = new Map(readouts.map(({label}, i) => [label, value[i]]));
     this.numbers = readouts.map(({label, unit, against, absent, role}, i) => ({
       label, role, unit, value: value[i], text: absent && Number.isNaN(value[i]) ? absent : written(value[i], unit),
       error: against ? errorWords(value[i], exact.get(against), unit) : ""}));
@@ -151,6 +151,7 @@ class Page {
     for (const one of document.querySelectorAll("img.still")) one.hidden = one !== still;
     $("plot-title").textContent = plot.title;
     $("plot").hidden = plot.kind === "still";
+    $("plot").className = plot.kind;
     const made = plot.kind === "still" ? null : this.plots[this.shown] ||= new KINDS[plot.kind](plot, this);
     const [legend, note] = made ? made.draw($("plot"), this.values, fine) : [[], plot.note];
     $("legend").replaceChildren(...legend.map(([text, colour, dash]) => {
