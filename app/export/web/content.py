@@ -8,7 +8,7 @@ from app import meshes, tables
 from app.badges import SHORT, of_model, told
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.figures import plot
-from app.export.web.texts import Data, Twins, packed, scene
+from app.export.web.texts import Data, Twins, deflated, packed, scene
 from app.gpu.stage_text import COLOURS, look
 from app.lesson import Model, Readout
 from app.mesh_edges import corner_normals, shared_corners
@@ -109,10 +109,10 @@ def constants(found: LoadedStep) -> Data:
 
 
 def mesh(triangles: np.ndarray, normals: bool) -> Data:
-    """Corners and faces; with normals (16 bits a number) a corner counts once for each normal it has."""
+    """Corners and faces, deflated; with normals (16 bits a number) a corner counts once for each normal it has."""
     place = shared_corners(triangles).ravel()
     turned = np.round(corner_normals(triangles).reshape(-1, 3) * 32767).astype("i2")
     key = np.column_stack([place, turned]) if normals else place[:, None]
     _, first, faces = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    found = {"corners": packed(triangles.reshape(-1, 3)[first].astype("f4")), "faces": packed(faces.astype("u2"))}
-    return found | ({"normals": packed(turned[first])} if normals else {})
+    found = {"corners": deflated(triangles.reshape(-1, 3)[first].astype("f4")), "faces": deflated(faces.astype("u2"))}
+    return found | ({"normals": deflated(turned[first])} if normals else {})

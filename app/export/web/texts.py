@@ -1,6 +1,7 @@
 """GLSL and numbers as a page carries them: a scene's programs, the twins it calls, arrays as base64. Pure text."""
 
 import base64
+import zlib
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -63,3 +64,7 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
 
 def packed(numbers: np.ndarray) -> str:
     return base64.b64encode(np.ascontiguousarray(numbers).tobytes()).decode()
+
+
+def deflated(numbers: np.ndarray) -> str:
+    return base64.b64encode(zlib.compress(np.ascontiguousarray(numbers).tobytes(), 9)).decode()
