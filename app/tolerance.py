@@ -35,12 +35,12 @@ def norm(value: np.ndarray, is_vector: bool) -> np.ndarray:
     return np.sqrt(np.sum(value * value, -1)) if is_vector else np.abs(value)
 
 
-def moved(function: str, args: dict, is_vector: bool = False) -> np.ndarray:
+def moved(function: str | Callable, args: dict, is_vector: bool = False) -> np.ndarray:
     """cond |f|: by how much f moves, in units of the change, when every input moves; central differences in float64.
 
     A scalar moves by its own size, a component of a vector by the size of the vector: which axis is x does not matter.
     """
-    f = twin(function)
+    f = twin(function) if isinstance(function, str) else function
     total = np.zeros_like(norm(f(**args), is_vector))
     for name, given in args.items():
         x = np.asarray(given)

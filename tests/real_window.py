@@ -8,7 +8,8 @@ from imgui_bundle import hello_imgui, immapp
 
 from app import locale_alias
 from app.viewer import glfw
-from app.viewer.window import Window, parameters
+from app.viewer.parameters import parameters
+from app.viewer.window import Window
 
 
 def main(picture: str) -> None:
@@ -35,7 +36,7 @@ def main(picture: str) -> None:
     photograph = hello_imgui.final_app_window_screenshot()
     Image.fromarray(photograph).convert("RGB").save(picture)
     print(json.dumps({"display": glfw.has_display(), "before": float(seen["before"]), "after": float(seen["after"]),
-                      "plots": window.plot.shown, "fault": window.fault, "size": photograph.shape[:2][::-1]}))
+                      "plots": window.plot.shown, "fault": window.own.fault, "size": photograph.shape[:2][::-1]}))
 
 
 if __name__ == "__main__":

@@ -228,12 +228,12 @@ def test_a_mesh_is_dropped_and_a_bad_one_explained(tmp_path):
         assert "rubbish.stl" in window.message and window.session.current.id == "solid_angle/patch"
         window.dropped.append(str(good))
         frames(engine)
-        assert window.session.current.id == "solid_angle/mesh" and len(window.triangles) == 320
+        assert window.session.current.id == "solid_angle/mesh" and len(window.own.triangles) == 320
         number = {n.label: n for n in window.numbers()}["sum of all faces"]
         assert math.isclose(number.value, 4 * math.pi, rel_tol=1e-12)
         engine.item_click("//Scene/bowl##shape")
         frames(engine)
-        assert window.mesh is None and len(window.triangles) != 320
+        assert window.own.mesh is None and len(window.own.triangles) != 320
 
     drive(test)
 
@@ -258,7 +258,7 @@ def test_every_step_shows_in_every_theme(chapter, theme, size):
         window.set_theme(theme)
         for number in range(len(chapter.chapter.steps)):
             frames(engine, 3)
-            assert not window.fault and window.scene.faults == Faults(), window.session.current.id
+            assert not window.own.fault and window.scene.faults == Faults(), window.session.current.id
             for column in ("Text", "Scene", "Plot"):
                 inside = on_gl(engine, window, lambda name=column: imgui.internal.find_window_by_name(name))
                 assert inside.content_size.x <= inside.size.x, (window.session.current.id, column)
@@ -318,7 +318,7 @@ def test_a_luminaire_is_dropped_and_a_bad_one_explained(tmp_path):
         window.dropped.append(str(good))
         frames(engine, 4)
         assert window.session.current.id == "lights/ies" and "mine.IES: LM-63-2002" in window.message
-        assert not window.fault and np.array_equal(window.values["table"], built_in("flood").table)
+        assert not window.own.fault and np.array_equal(window.values["table"], built_in("flood").table)
         shown = {n.label: n for n in window.numbers()}
         assert math.isclose(shown["integrated"].value, built_in("flood").integrated_lumens)
         until(engine, window, lambda: window.plot.of == "lights/ies")
@@ -326,7 +326,7 @@ def test_a_luminaire_is_dropped_and_a_bad_one_explained(tmp_path):
         before = on_gl(engine, window, window.scene.stage.pixels)
         engine.item_click("//Scene/up##luminaire")
         frames(engine, 4)
-        assert window.ies is None and window.values["table"] is built_in("uplight").table
+        assert window.own.ies is None and window.values["table"] is built_in("uplight").table
         assert (on_gl(engine, window, window.scene.stage.pixels) != before).any()
         window.reveal()
         assert math.isclose(window.session.answer.truth, built_in("bare").integrated_lumens)
@@ -338,7 +338,7 @@ def test_an_absolute_luminaire_declares_nothing(tmp_path):
     from app.tables import FOLDER
 
     def test(engine, window):
-        window.take_file(str(FOLDER / "headlamp.ies"))
+        window.own.take_file(str(FOLDER / "headlamp.ies"))
         frames(engine, 4)
         shown = {n.label: n for n in on_gl(engine, window, window.numbers)}
         assert shown["declared"].text == "none: absolute" and not shown["declared"].error_text

@@ -9,7 +9,8 @@ from app import locale_alias
 from app.gpu.context import context
 from app.paths import LESSONS
 from app.viewer import glfw
-from app.viewer.window import Window, parameters
+from app.viewer.parameters import parameters
+from app.viewer.window import Window
 
 
 def drive(

@@ -66,7 +66,7 @@ def plot_number(found: LoadedStep, text: str) -> int:
 
 def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None) -> dict:
     """What a step needs besides its sliders: the triangles of its mesh and its tables, its own or the user's."""
-    return triangles(found, values, mesh) | luminaires(found, values, ies)
+    return triangles(found, values, mesh) | luminaires(found, values, ies) | found.derived(values)
 
 
 def luminaires(found: LoadedStep, values: dict, ies: str | Path | None = None) -> dict:

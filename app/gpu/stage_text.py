@@ -27,7 +27,11 @@ PARTS = {  # program -> (its vertex text, its fragment text) around the scene's 
     "probe": (("", "stage/probe.vert"), None),
     "anchor": (("", "stage/anchor.vert"), None),
 }
-VALUES = {"stage/surface.vert": "surface_value", "stage/mesh.vert": "mesh_value"}  # a scene may define these
+OPTIONAL = {  # what a scene may define: text -> (the function, what stands in for it)
+    "stage/surface.vert": ("vec4 surface_value", "stage/no_value.glsl"),
+    "stage/mesh.vert": ("vec4 mesh_value", "stage/no_value.glsl"),
+    "stage/values.frag": ("vec3 shading_normal", "stage/no_normal.glsl"),
+}
 Programs = dict[str, tuple[shader.Assembled, shader.Assembled | None]]
 
 
@@ -38,6 +42,7 @@ class Source:
     scene: Scene
     file: str = "scene"
     first: int = 1
+    overrides: shader.Overrides = ()  # what is included in place of the course's texts
 
 
 def needed(scene: Scene) -> tuple[str, ...]:
@@ -50,15 +55,18 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
-             names: tuple[str, ...] | None = None) -> Programs:
+             names: tuple[str, ...] | None = None, overrides: shader.Overrides = ()) -> Programs:
     """name -> (vertex, fragment or None) for every program the scene needs (or the named ones)."""
     own = {"scene": shader.Source(scene.glsl, file, first)}
+    own |= {one.name: shader.Source(one.text, one.file, one.first) for one in scene.texts}
+    own |= dict(overrides)
 
     def text(part: tuple[str, str]) -> shader.Assembled:
         before, after = part
         lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
-        if after in VALUES and not re.search(rf"^vec4 {VALUES[after]}\(", scene.glsl, re.MULTILINE):
-            lines.insert(0, '#include "stage/no_value.glsl"')
+        function, otherwise = OPTIONAL.get(after, ("", ""))
+        if function and not re.search(rf"^{function}\(", scene.glsl, re.MULTILINE):
+            lines.insert(1, f'#include "{otherwise}"')
         return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
 
     found: Programs = {}

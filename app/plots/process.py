@@ -18,7 +18,7 @@ import numpy as np
 
 from app.lesson import Camera, Plot
 from app.paths import ROOT
-from app.plots.wire import receive, send
+from app.plots.wire import Spot, receive, send
 from app.problem import Problem
 from app.theme import Theme
 
@@ -47,6 +47,7 @@ class Picture:
     image: np.ndarray  # (height, width, 3) uint8
     wish: Wish  # what it shows
     error: str = ""  # why the drawing failed; the image says it too
+    spots: tuple[Spot, ...] = ()
 
 
 class PlotProcess:
@@ -128,9 +129,9 @@ class PlotProcess:
                 changed, mesh = wish.triangles is not mesh, wish.triangles
                 sent = replace(wish, mesh_changed=changed, triangles=mesh if changed else None)
                 send(cast(BinaryIO, child.stdin), sent)
-                image, error = receive(cast(BinaryIO, child.stdout))
+                image, error, spots = receive(cast(BinaryIO, child.stdout))
                 with self.lock:
-                    self.picture = Picture(image, wish, error)
+                    self.picture = Picture(image, wish, error, spots)
                 self.wake()
         except (EOFError, OSError, ValueError):  # ValueError: the pipe was closed under it
             with self.lock:

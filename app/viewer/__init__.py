@@ -9,7 +9,8 @@ def run(options: argparse.Namespace) -> int:
 
     from app import locale_alias
     from app.viewer import glfw
-    from app.viewer.window import Window, parameters
+    from app.viewer.parameters import parameters
+    from app.viewer.window import Window
 
     formulas = locale_alias.ensure()
     window = Window(

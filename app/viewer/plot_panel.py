@@ -4,21 +4,23 @@ import moderngl
 import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
+from app.plots.wire import Spot
 from app.problem import Problem
 from app.theme import rgb
 from app.viewer import glfw, style
+from app.viewer.study_panel import StudyPanel
 
 TURN = 0.5  # degrees a pixel
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
-        ImageSlice: "image"}
+        ImageSlice: "image", Study: "study"}
 
 
 def tab_words(plots: tuple[Plot, ...]) -> list[str]:
     """One word for each plot, with a number where two have the same."""
-    words = [TABS[type(plot)] for plot in plots]
+    words = [getattr(plot, "tab", "") or TABS[type(plot)] for plot in plots]
     return [word if words.count(word) == 1 else f"{word} {words[:i].count(word) + 1}" for i, word in enumerate(words)]
 
 
@@ -33,6 +35,8 @@ class PlotPanel:
         self.fine = False
         self.cameras: dict[tuple[str, str], Camera] = {}  # how a plot of a step was turned
         self.fault = ""
+        self.spots: tuple[Spot, ...] = ()  # of the picture, that can be pointed at
+        self.study = StudyPanel(app)
         self.shown = 0  # pictures so far
 
     @property
@@ -45,9 +49,13 @@ class PlotPanel:
         plots = session.current.step.plots
         if len(plots) < 2:
             return
+        gap = 0.2 * imgui.get_font_size()
+        right = imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
         for i, word in enumerate(tab_words(plots)):
             if i:
-                imgui.same_line(0, 0.35 * imgui.get_font_size())
+                imgui.same_line(0, gap)
+                if imgui.get_cursor_pos_x() + imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x > right:
+                    imgui.new_line()
             chosen = i == session.visit.plot
             if chosen:
                 imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
@@ -84,6 +92,8 @@ class PlotPanel:
         else:
             imgui.invisible_button("plot", room)
             self.turn()
+            if current and not hidden:
+                self.study.point(self.spots, at)
 
     def ask(self, values: dict, size: tuple[int, int]) -> None:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
@@ -121,6 +131,7 @@ class PlotPanel:
         self.texture.write(picture.image.tobytes(), alignment=1)
         self.shown += 1
         if picture.wish.plot is self.app.session.plot:
+            self.spots = picture.spots
             self.of, self.showing = self.app.session.current.id, picture.wish.plot
 
     def empty(self, at: ImVec2, room: ImVec2, hidden: bool) -> None:

@@ -4,6 +4,7 @@ import numpy as np
 from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
+from app.brush import angles_of
 from app.gpu.pick import Pick, pick
 from app.gpu.stage import Faults, Stage
 from app.lesson import Handle
@@ -264,6 +265,8 @@ class ScenePanel:
         found = pick(self.stage, values, view.camera(self.stage.scene.camera), theme, at)
         self.app.ctx.screen.use()
         self.picked = (found, mouse) if found else None
+        if found and self.stage.scene.brush:
+            self.app.brush(angles_of(found.normal, view.camera(self.stage.scene.camera), values))
 
     def card(self, theme: Theme) -> None:
         """What was picked: raw values, before exposure and display."""

@@ -8,15 +8,11 @@ import time
 import webbrowser
 from pathlib import Path
 
-import numpy as np
-from imgui_bundle import ImVec2, hello_imgui, imgui, immapp, rich_md
+from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
-from app.gpu.stage import Stage
-from app.gpu.stage_text import Source
-from app.ies import Photometry, read
+from app.catalog import BOARD
 from app.lesson import Ledger, Number, Prediction
-from app.meshes import Mesh, built_in, load
 from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
@@ -24,9 +20,12 @@ from app.progress import Progress
 from app.readouts import numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
+from app.viewer.belongings import Belongings
+from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
+from app.viewer.editor_panel import EditorPanel
 from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
@@ -63,20 +62,15 @@ class Window:
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
-        self.badges = BadgesPanel(self)
-        self.mesh: Mesh | None = None  # the user's own, in place of the scene's
-        self.triangles: np.ndarray | None = None
-        self.ies: Photometry | None = None  # the user's own luminaire, in place of the scene's
-        self.tables: dict[str, np.ndarray] = {}
-        self.placed: tuple = ()  # the step and the mesh on the stage
-        self.fault = ""  # why this step has no picture
+        self.badges, self.board = BadgesPanel(self), BoardPanel(self)
+        self.own = Belongings(self)
+        self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.dropped: list[str] = []
-        self.lamp = 0  # that was chosen when the user's luminaire came
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
-            self.take_file(path)
+            self.own.take_file(path)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
@@ -107,7 +101,7 @@ class Window:
             self.styled = self.theme.name, size.y
         self.frame += 1
         for path in self.dropped[:1]:
-            self.take_file(path)
+            self.own.take_file(path)
         self.dropped.clear()
         press(self)
         if self.show_welcome:
@@ -134,21 +128,23 @@ class Window:
 
     # --- the lesson --------------------------------------------------------------------------------------------------
     def lesson(self, size: ImVec2) -> None:
-        self.set_stage()
+        self.own.place()
         unit = imgui.get_font_size()
-        bar = round(2.6 * unit)
+        line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
+        if self.editor.is_open:
+            left = round(0.42 * size.x)
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
-        middle, height = size.x - left - right, size.y - bar
-        self.column("Text", 0, left, height, lambda: text_panel.draw(self))
+        middle, height = size.x - left - right, size.y - line
+        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
-        imgui.set_next_window_size(ImVec2(size.x, bar))
+        imgui.set_next_window_size(ImVec2(size.x, line))
         imgui.push_style_var(imgui.StyleVar_.window_padding, ImVec2(0.9 * unit, 0.35 * unit))
         imgui.begin("Bar", None, FIXED | imgui.WindowFlags_.no_scrollbar)
         imgui.pop_style_var()
-        self.bar()
+        bar.draw(self)
         imgui.end()
 
     def column(self, name: str, x: float, width: float, height: float, draw) -> None:
@@ -158,15 +154,21 @@ class Window:
         draw()
         imgui.end()
 
+    def text_column(self) -> None:
+        if self.session.current.id.startswith(BOARD):
+            self.board.draw(self.values)
+        else:
+            text_panel.draw(self)
+
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = controls.height(self.session.current.values.values(), room.x)
+        below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
-        if self.fault:
+        if self.own.fault:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
             imgui.begin_child("fault", picture, imgui.ChildFlags_.always_use_window_padding)
             imgui.dummy(ImVec2(0, 0.3 * picture.y))
-            imgui.text_wrapped("This picture cannot be drawn.\n" + self.fault)
+            imgui.text_wrapped("This picture cannot be drawn.\n" + self.own.fault)
             imgui.end_child()
             imgui.pop_style_color()
         else:
@@ -179,37 +181,12 @@ class Window:
         self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * room.x)))
         imgui.spacing()
         try:
+            if self.session.current.id.startswith(BOARD):
+                self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
-
-    def bar(self) -> None:
-        session, step = self.session, self.session.current
-        imgui.begin_disabled(session.place == 0)
-        if imgui.button("Previous"):
-            self.move(-1)
-        imgui.end_disabled()
-        imgui.same_line()
-        imgui.begin_disabled(session.place == len(session.steps) - 1)
-        if imgui.button("Next"):
-            self.move(1)
-        imgui.end_disabled()
-        imgui.same_line()
-        imgui.align_text_to_frame_padding()
-        imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min")
-        if self.message:
-            imgui.same_line()
-            controls.badge(self.message, style.ink("printed", self.theme))
-            if imgui.is_item_clicked():
-                self.message = ""
-        buttons = (("Outline", "o"), ("Notes", "n"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
-        padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
-        imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8)
-        for label, key in buttons:
-            if imgui.button(label):
-                self.do(key)
-            imgui.same_line()
 
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def do(self, key: str) -> None:
@@ -228,6 +205,8 @@ class Window:
             self.session.freeze(not self.session.frozen)
         elif key == "p":
             self.session.show_plot(self.session.visit.plot + 1)
+        elif key == "e":
+            self.editor.toggle()
         elif key == "?":
             self.show_help = not self.show_help
 
@@ -256,7 +235,7 @@ class Window:
         self.session.freeze(False)
         found = self.session.current
         truth = found.step.ask.sets.get("shape")
-        mesh = self.mesh_named(int(truth)) if isinstance(truth, int | float) else self.triangles
+        mesh = self.own.mesh_named(int(truth)) if isinstance(truth, int | float) else self.own.triangles
         data = tables.chosen(found.step.scene, truth_values(found))
         self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
 
@@ -273,11 +252,21 @@ class Window:
         except Usage as problem:
             self.message = str(problem)
 
+    def brush(self, at: dict[str, float] | None) -> None:
+        """Another point is picked: these angles make its normal the picked one."""
+        if at is None:
+            self.message = "No light reaches that point, so there is nothing to take apart."
+        else:
+            self.message = ""
+            self.stand(at)
+
     def open_link(self, target: str) -> None:
         """A link of the prose: it sets values, leads to a step, or opens in the browser."""
         try:
             if target.startswith("?"):
                 self.session.apply(target)
+            elif target.startswith("code:"):
+                self.editor.open(target.removeprefix("code:"))
             elif target.startswith(("http://", "https://")):
                 webbrowser.open(target)
             else:
@@ -292,103 +281,15 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        mesh = {} if self.triangles is None else {"triangles": self.triangles}
-        return {**self.session.values, **self.tables, **mesh}
+        values = self.session.values
+        return {**values, **self.session.current.derived(values), **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
-        key = self.session.current.id, self.session.revision, id(self.triangles), *map(id, self.tables.values())
+        key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
             self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
             self.ctx.screen.use()
         return self.figures[1]
 
-    def take_file(self, path: str) -> None:
-        """A file that was dropped or named: a luminaire by its ending, else a mesh."""
-        if Path(path).suffix.lower() == ".ies":
-            self.take_ies(path)
-        else:
-            self.take_mesh(path)
-
-    def take_ies(self, path: str) -> None:
-        """The user's own luminaire, in a step that has one."""
-        try:
-            found = read(path)
-            if not self.session.current.step.scene.tables:
-                self.session.go(next(s.id for s in self.session.steps if s.step.scene.tables))
-            self.ies, self.lamp = found, int(self.session.values.get("luminaire", 0))  # type: ignore[arg-type]
-            self.message = found.summary
-            self.show_welcome = False
-        except Problem as problem:
-            self.message = str(problem)
-
-    def take_mesh(self, path: str) -> None:
-        """The user's own mesh, in the step about meshes."""
-        try:
-            self.mesh = load(Path(path))
-            if not any(s.mesh for s in self.session.current.step.scene.surfaces):
-                self.session.go(next(s.id for s in self.session.steps if any(x.mesh for x in s.step.scene.surfaces)))
-            self.message = f"{self.mesh.name}: {self.mesh.note}"
-            self.show_welcome = False
-        except Problem as problem:
-            self.message = str(problem)
-
-    def mesh_named(self, shape: int) -> np.ndarray:
-        return built_in(self.session.current.step.scene.meshes[shape]).triangles
-
-    def set_stage(self) -> None:
-        """A stage for the step that is shown, with its mesh; made again when either changes."""
-        found = self.session.current
-        if self.ies is not None and self.session.values.get("luminaire", self.lamp) != self.lamp:
-            self.ies = None  # a luminaire was chosen: back to the scene's own
-        self.tables = tables.chosen(found.step.scene, self.session.values, self.ies)
-        is_mesh = any(s.mesh for s in found.step.scene.surfaces)
-        shape = int(self.session.values.get("shape", 0)) if is_mesh else -1  # type: ignore[arg-type]
-        wanted = found.id, shape, id(self.mesh) if is_mesh else 0
-        if wanted == self.placed:
-            return
-        was, self.placed, self.fault = self.placed, wanted, ""
-        if self.mesh is not None and was[:1] == (found.id,) and was[1] not in (-1, shape):
-            self.mesh, self.placed = None, (found.id, shape, id(None))  # a shape was chosen: back to the scene's own
-        self.triangles = None if not is_mesh else self.mesh.triangles if self.mesh else self.mesh_named(shape)
-        try:
-            if was[:1] == (found.id,) and self.scene.stage:
-                self.scene.stage.place(self.triangles)
-                self.scene.drawn = None
-            else:
-                source = Source(found.step.scene, found.file_name, found.glsl_line)
-                self.scene.show(Stage(self.ctx, source, self.triangles))
-        except Problem as problem:
-            self.fault = str(problem)
-        self.ctx.screen.use()
-
     def cover_picture(self, size: ImVec2) -> None:
         self.cover.draw(size)
-
-
-def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsParams]:
-    params = hello_imgui.RunnerParams()
-    params.ini_disable = True
-    params.app_window_params.window_title = "Halfway"
-    params.app_window_params.window_geometry.size = window.size
-    params.app_window_params.restore_previous_geometry = False
-    params.renderer_backend_options.open_gl_options = hello_imgui.OpenGlOptions(
-        major_version=3,
-        minor_version=3,
-        use_core_profile=True,
-        use_forward_compat=True,
-        glsl_version="330",
-        anti_aliasing_samples=0,
-    )  # eight samples, the default, cost 40 % of the frame rate
-    params.imgui_window_params.default_imgui_window_type = hello_imgui.DefaultImGuiWindowType.no_default_window
-    params.imgui_window_params.show_menu_bar = params.imgui_window_params.show_status_bar = False
-    params.fps_idling.fps_idle = 1.0
-    params.fps_idling.time_active_after_last_event = 0.7
-    params.callbacks.load_additional_fonts = style.load_font
-    params.callbacks.post_init, params.callbacks.before_exit = window.post_init, window.before_exit
-    params.callbacks.show_gui, params.callbacks.after_swap = window.gui, window.after_swap
-    markdown = rich_md.MarkdownOptions()
-    markdown.with_latex, markdown.autolinks = True, False
-    markdown.callbacks.on_open_link = window.open_link
-    add_ons = immapp.AddOnsParams()
-    add_ons.with_markdown_options = markdown
-    return params, add_ons

@@ -46,7 +46,8 @@ def measure(step: str, moving: bool) -> None:
 
     from app import locale_alias
     from app.viewer import glfw
-    from app.viewer.window import Window, parameters
+    from app.viewer.parameters import parameters
+    from app.viewer.window import Window
 
     locale_alias.ensure()
     the = Window(step)

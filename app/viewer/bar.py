@@ -1,0 +1,36 @@
+"""The quiet line below: steps back and on, a message, what has a key."""
+
+from imgui_bundle import imgui
+
+from app.viewer import controls, style
+
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
+
+
+def draw(app) -> None:
+    session, step = app.session, app.session.current
+    imgui.begin_disabled(session.place == 0)
+    if imgui.button("Previous"):
+        app.move(-1)
+    imgui.end_disabled()
+    imgui.same_line()
+    imgui.begin_disabled(session.place == len(session.steps) - 1)
+    if imgui.button("Next"):
+        app.move(1)
+    imgui.end_disabled()
+    imgui.same_line()
+    imgui.align_text_to_frame_padding()
+    of_course = bool(step.chapter.steps)
+    imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
+                        if of_course else step.chapter.title.lower())
+    if app.message:
+        imgui.same_line()
+        controls.badge(app.message, style.ink("printed", app.theme))
+        if imgui.is_item_clicked():
+            app.message = ""
+    padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
+    imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in BUTTONS) - 8)
+    for label, key in BUTTONS:
+        if imgui.button(label):
+            app.do(key)
+        imgui.same_line()
