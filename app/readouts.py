@@ -7,14 +7,15 @@ fonts at hand have no raised digits; `raised` cuts a text into pieces for those 
 import math
 import re
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.edit import EDITED
 from app.lesson import Readout, Step
 from app.needs import key, of_term
 from app.problem import Problem
-from app.terms import evaluate
+from app.terms import evaluate, is_yours
 
 ROUNDING = {"float64": 2.0**-52, "float32": 2.0**-23}  # one unit in the last place
 DIGITS = {"float64": 17, "float32": 9}  # enough to tell any two neighbours apart
@@ -36,6 +37,7 @@ class Number:
     full_text: str  # all digits, for the tool-tip
     cost_ms: float | None  # of evaluating an estimate once, with the way to the GPU and back in float32
     cost_text: str = ""
+    whose: str = ""  # "yours" or "the course's", while something is edited
 
 
 def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> list[Number]:
@@ -44,7 +46,17 @@ def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> l
     found = {readout.label: remembered(readout, values, ctx, {} if known is None else known)
              for readout in step.readouts}
     shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
-    return [number_of(readout, *found[readout.label], shown.get(readout.against)) for readout in step.readouts]
+    made = [number_of(evaluated(readout, values), *found[readout.label], shown.get(readout.against))
+            for readout in step.readouts]
+    if EDITED not in values:
+        return made
+    return [replace(number, whose="yours" if is_yours(readout.term, values) else "the course's")
+            for readout, number in zip(step.readouts, made, strict=True)]
+
+
+def evaluated(readout: Readout, values: dict) -> Readout:
+    """The readout in the precision it is evaluated in: a text of the user's is GLSL."""
+    return replace(readout, precision="float32") if is_yours(readout.term, values) else readout
 
 
 def remembered(readout: Readout, values: dict, ctx, known: Known) -> tuple[float, float]:

@@ -135,9 +135,9 @@ class Window:
         unit = imgui.get_font_size()
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
-        if self.editor.is_open:
-            left = round(0.42 * size.x)
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
+        if self.editor.is_open:
+            left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
         self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
