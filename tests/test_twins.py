@@ -295,8 +295,6 @@ def arguments(name: str, rng: np.random.Generator, count: int = POINTS) -> dict:
     for arg in signature.args:
         if arg.name == "table":
             args[arg.name] = f32(built_in("corner").table)
-        elif arg.name.endswith("_map"):
-            args[arg.name] = rng.integers(60, 256, (7, 5, 4)).astype(np.uint8)
         elif arg.type == "sampler2D":
             args[arg.name] = f32(cube() + 0.25)
         elif arg.size:
