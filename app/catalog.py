@@ -16,7 +16,8 @@ from app.problem import Problem, Usage, near
 from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
 
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
-DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+# what belongs to a mesh, and what a sheet sweeps: arguments that are no values
+DATA = frozenset({"triangles", "texture_coordinates", "s", "t"})
 SWEPT = frozenset({"s", "t"})
 MODELLED = frozenset({"n", "l", "v", "channel", "radiance"})  # what a model's lobe and badges sweep
 

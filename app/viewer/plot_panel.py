@@ -90,7 +90,7 @@ class PlotPanel:
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
         triangles = values.get("triangles")
-        shown = {k: v for k, v in values.items() if k != "triangles"}
+        shown = {k: v for k, v in values.items() if k not in ("triangles", "texture_coordinates")}
         known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
         wanted = found.id, plot.title, known, size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
