@@ -1103,14 +1103,13 @@ the colours as they are stored](?mistake=3): pale. [Cut at 1](?mistake=4). [None
 #include "stage/corner_normal.glsl"
 #include "stage/texture_coordinate.glsl"
 #include "display/plate.glsl"
-#include "display/rough_room.glsl"
 #include "display/vase.glsl"
 uniform float luminous_flux, distance, ev100;
 uniform int mistake;
 
 const vec2 AXIS = vec2(-0.92, 0.1);
 const vec3 MIDDLE = vec3(0.72, 0.05, 0.88); // of the object
-const vec3 SPOT = vec3(-3.0, -2.4, 2.4);
+const vec3 SPOT = vec3(-3.0, -2.4, 2.4), AXLE = vec3(-0.71548, -0.57239, 0.40068); // and the way back to it
 
 vec3 lamp() { return vec3(-0.12, -0.8, distance); }
 
@@ -1124,12 +1123,6 @@ vec3 surface_point(int surface, vec2 s) {
 
 vec3 mesh_point(int surface, vec3 p) { return 0.82 * p + MIDDLE; }
 
-vec4 surface_value(int surface, vec2 s) { // the room that is mirrored, of rough facets
-    if (surface > 0) return vec4(0.25);
-    vec3 n = vase_normal(AXIS, s);
-    return vec4(rough_room(n, normalize(camera_position - vase_point(AXIS, s)), 0.35, true), 0.0);
-}
-
 vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
 
 vec3 tangent(vec3 n) { return normalize(abs(n.z) < 0.95 ? vec3(-n.y, n.x, 0.0) : vec3(n.z, 0.0, -n.x)); }
@@ -1137,14 +1130,13 @@ vec3 tangent(vec3 n) { return normalize(abs(n.z) < 0.95 ? vec3(-n.y, n.x, 0.0) :
 vec3 luminance(Surface s) { // of each channel, white having the same in all
     float candela = luminous_flux * (mistake == 1 ? 1.0 : luminous_intensity_isotropic(1.0));
     if (s.id == 2) return vec3(1.0, 0.86, 0.66) * candela / (PI * 0.0081);
-    vec3 n = vec3(0.0, 0.0, 1.0), room = vec3(0.3), v = s.v;
-    vec2 at = 0.5 * s.position.xy;
-    if (s.id == 0) n = vase_normal(AXIS, s.st), at = vec2(1.2, 1.0) * s.st, room = max(s.value.rgb, 0.0);
+    vec3 n = vec3(0.0, 0.0, 1.0), v = s.v;
+    vec2 at = vec2(1.2, 1.0) * s.st;
+    if (s.id == 0) n = vase_normal(AXIS, s.st);
     if (s.id == 3) {
         n = normalize(s.value.xyz);
         if (dot(n, s.normal) < 0.0) n = -n;
         at = texture_coordinate((s.position - MIDDLE) / 0.82, n, s.face);
-        room = rough_room(n, v, 0.35, true);
     }
     vec3 albedo = vec3(0.20, 0.13, 0.09), f0 = vec3(0.04);
     float m = 0.3;
@@ -1156,14 +1148,19 @@ vec3 luminance(Surface s) { // of each channel, white having the same in all
         if (mistake != 3) albedo = decoded(albedo), f0 = decoded(f0);
     }
     float n_dot_v = max(dot(n, v), 0.01);
-    vec3 light = 3.0 * room * (f0 + albedo * (mistake == 2 ? 1.0 : passed_share(n_dot_v, 0.04)));
+    float spot = spot_intensity(400.0, 0.3, 0.42), height = 2.0 * dot(n, v) * n.z - v.z; // of what is mirrored: a dim room, its ceiling lighter
+    vec3 room = mix(vec3(0.3, 0.26, 0.22), vec3(1.3, 1.5, 1.8), smoothstep(-2.0 * m, 2.0 * m, height - 0.1));
+    vec3 light = s.id % 3 > 0 ? 0.3 * albedo : room * (f0 + albedo * (mistake == 2 ? 1.0 : passed_share(n_dot_v, 0.04)));
     for (int k = 0; k < 2; k++) {
         vec3 way = (k == 0 ? lamp() : SPOT) - s.position, l = normalize(way);
-        float n_dot_l = dot(n, l), off = acos(clamp(dot(l, normalize(SPOT - vec3(0.0, 0.0, 0.7))), -1.0, 1.0));
+        float n_dot_l = dot(n, l), lux = candela / dot(way, way);
         if (n_dot_l <= 0.0) continue;
-        float lux = (k == 0 ? candela : spot_intensity(400.0, 0.3, 0.42) * spot_smooth(off, 0.3, 0.42)) / dot(way, way);
-        vec3 f = cook_torrance_dg(n, l, v, m) * (f0 + (1.0 - f0) * (1.0 - passed_share(0.5 * length(l + v), 0.0)));
-        f += albedo * (mistake == 2 ? 1.0 / PI : body_coupled(n_dot_l, n_dot_v, 1.0, 0.04));
+        if (k == 1) lux = spot * spot_linear_cos(dot(l, AXLE), 0.3, 0.42) / dot(way, way);
+        vec3 f = albedo / PI; // table and wall are matt
+        if (s.id % 3 == 0) {
+            if (mistake != 2) f = albedo * body_coupled(n_dot_l, n_dot_v, 1.0, 0.04);
+            f += cook_torrance_dg(n, l, v, m) * (f0 + (1.0 - f0) * (1.0 - passed_share(0.5 * length(l + v), 0.0)));
+        }
         light += f * lux * n_dot_l;
     }
     return light;
@@ -1228,7 +1225,7 @@ their own. Common wrong answer to the question: 4 EV, which is 16. 8 minutes.
     sources=("Deck, slides Working with Shading Models and Plausible Shading", "Lagarde & de Rousiers 2014: 1.2 · 2^EV",
              "Cook & Torrance 1982", "Kelemen & Szirmay-Kalos 2001", "Narkowicz 2015"),
     honesty="Lamps are points of their lumens, their light exact per pixel, with V-grooves, Schlick's F and the balanced body; no "
-            "shadows, nothing is reflected twice. The room is a look of 3 cd/m². A mesh without texture coordinates gets its maps "
+            "shadows, nothing is reflected twice. The room is a look of 1 cd/m². A mesh without texture coordinates gets its maps "
             "from the six sides of a cube. Maps are filtered as they are stored.",
     values=(Value("mistake", 0, choices=MISTAKES), Value("luminous_flux", 800.0, low=50.0, high=5000.0),
             Value("ev100", 4.0, low=0.0, high=10.0), Value("distance", 1.9, low=1.4, high=2.6, scale="linear"),
