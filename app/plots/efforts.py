@@ -47,7 +47,8 @@ class EffortsPart:
     def measure(self, values: dict, fine: bool) -> None:
         """The study at the step's own values, at once or, while the hand rests, with more time; kept for both."""
         study = replace(self.plot, worst={})
-        key = study.title, tuple(sorted((name, str(values[name])) for name in inputs(study) if name in values))
+        key = study.title, tuple(sorted((name, np.asarray(values[name]).tobytes()) for name in inputs(study)
+                                         if name in values))
         known = KEPT.get(key)
         if known is None or (fine and known[0] < LIVE[fine]):
             known = KEPT[key] = LIVE[fine], measure(study, values, LIVE[fine])
