@@ -6,6 +6,7 @@
 import re
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
@@ -18,6 +19,7 @@ from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
 from app.study.names import swept
 from app.study.names import terms as terms_of
 
+BOARD = "board/"  # steps that are made when they are asked for: see app/board/board_step.py
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
 SWEPT = frozenset({"s", "t"})
@@ -80,6 +82,19 @@ class LoadedStep:
             place = f"{self.file_name}, line {self.line(str(problem))}"
             raise Problem(f"{place}: step {self.step.name}: {problem}") from None
 
+    @property
+    def below(self) -> tuple["ValueSpec", ...]:
+        """The values whose controls stand below the scene."""
+        return tuple(self.values.values())
+
+    def derived(self, values: dict) -> dict:
+        """What the terms of this step need beside its values."""
+        return {}
+
+    def carried(self, other: "LoadedStep", values: dict) -> dict:
+        """Of another step's values those that mean the same here."""
+        return {}
+
     def line(self, sentence: str) -> int:
         """The line of the lesson's file with the word that, as a sentence says, there is not."""
         source, glsl = self.loaded.source, self.step.scene.glsl
@@ -102,6 +117,8 @@ class ValueSpec:
     scale: str = "linear"  # of its slider
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # the words of the numbers 0, 1, 2, ...
+    label: str = ""  # what it is called, where that is not what the table says
+    unfolds: bool = False  # its choices stand in a list that unfolds
 
 
 @cache
@@ -138,6 +155,8 @@ def forget() -> None:
 
 
 def step(id: str, folder: Path = LESSONS) -> LoadedStep:
+    if id.startswith(BOARD):
+        return import_module("app.board.board_step").step(id.removeprefix(BOARD))
     known = {found.id: found for found in steps(folder)}
     if id in known:
         return known[id]

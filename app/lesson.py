@@ -122,14 +122,26 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Worded):
     """Constant numbers with a name of their own: a `sampler2D` of the scene and an argument of its twins.
 
-    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it."""
+    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it. Or a user's
+    map of that kind: four channels, the fourth 0 as long as there is none, and the scene's own formula holds."""
 
     uniform: str
-    files: tuple[str, ...]
+    files: tuple[str, ...] = ()
     choice: str = ""
+    map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
+
+
+@dataclass(frozen=True)
+class Text:
+    """GLSL written elsewhere (`file`, from line `first` on) that a scene includes by this name: a user's model."""
+
+    name: str
+    text: str
+    file: str
+    first: int = 1
 
 
 @dataclass(frozen=True)
@@ -153,6 +165,10 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
+    texts: tuple[Text, ...] = ()
+    measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
 @dataclass(frozen=True)
@@ -188,6 +204,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    tab: str = ""  # a word for its tab
 
 
 @dataclass(frozen=True)
@@ -264,6 +281,7 @@ class Slice(Worded):
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
     kind: Literal["polar", "angle"] = "polar"
+    tab: str = ""
 
 
 @dataclass(frozen=True)

@@ -36,7 +36,8 @@ class CourseModel:
         for name in optics.arguments(self.function):
             if name not in (*VECTORS, *GIVEN):
                 q = quantity(name)
-                found.append(Parameter(name, "float", q.low, q.high, float(q.default), 0))  # type: ignore[arg-type]
+                found.append(Parameter(name, "float", q.low, q.high, float(q.default), 0,  # type: ignore[arg-type]
+                                       q.scale, q.unit, q.kind == "int"))
         return tuple(found)
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:
