@@ -39,6 +39,7 @@ class PlotPanel:
         self.fault = ""
         self.spots: tuple[Spot, ...] = ()  # of the picture, that can be pointed at
         self.study = StudyPanel(app)
+        self.at = ImVec2(0, 0)  # where the picture is in the window
         self.shown = 0  # pictures so far
         self.marks: tuple = (None, (), None)  # the plot, the user's texts, the plot with them marked
 
@@ -78,7 +79,7 @@ class PlotPanel:
         if self.app.frame > 1:  # the lesson is shown first
             self.ask(values, size)
         self.take()
-        at = imgui.get_cursor_screen_pos()
+        self.at = at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
         current = self.of == self.app.session.current.id and self.showing is self.app.session.plot
         if self.texture is not None and current and not self.fault and not hidden:
