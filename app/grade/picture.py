@@ -6,9 +6,9 @@ the nearest of the 3 x 3 neighbours counts.
 
 import numpy as np
 
-from app.grade.agree import agrees, truth
+from app.grade.agree import MEMORY, agrees
 from app.grade.assignment import Task
-from app.grade.questions import PART, pixels
+from app.grade.questions import mask_of
 from app.grade.result import Figure, Test, Worst
 from app.optics.colour import linear_to_srgb
 
@@ -16,11 +16,12 @@ RMSE, PEAK = 0.01, 0.05  # relative: below both the picture is right
 WORST = 10.0  # times those it pays nothing
 
 
-def test(task: Task, language: str, part: str, most: float, values: np.ndarray) -> Test:
+def test(task: Task, language: str, part: str, most: float, values: np.ndarray,
+         args: dict[str, np.ndarray]) -> Test:
     """Full marks below RMSE and PEAK, nothing at WORST times either, in between evenly in the logarithm."""
     assert task.picture is not None
-    args, mask = pixels(task.picture, task.arguments, PART[part])
-    known = truth(task, args, language)
+    mask = mask_of(task.picture)
+    known, _ = MEMORY.known(task, args, language)
     finite = bool(np.all(np.isfinite(values)))
     images = {"expected": image(known.value, mask), "got": image(values, mask)}
     off, rmse, peak = errors(images["expected"], images["got"], mask) if finite else (None, np.inf, np.inf)
