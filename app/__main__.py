@@ -19,6 +19,7 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
+    "stress": ("app.stress.command", "stability: every function and every scene at its extremes"),
     "compare": ("app.compare.command", "a step's material by our GLSL and by pyrender, and why they differ"),
     "study": ("app.study.command", "error against run time: what a digit costs, by every method"),
     "homework": ("app.homework.command", "the assignments, a file to start from, and the test of their tests"),
@@ -114,6 +115,7 @@ def window_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", default="", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire: an IES file (LM-63)")
+    map_argument(parser)
     parser.add_argument("--output", metavar="FOLDER", help="no window: pictures and a page of all lessons, to here")
 
 
@@ -161,6 +163,12 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")
+    map_argument(parser)
+
+
+def map_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--map", metavar="KIND=FILE", nargs="+", action="extend", default=[],
+                        help="your maps in a step that has some: albedo, f0, roughness or normal, PNG or JPEG")
 
 
 def render(options: argparse.Namespace) -> int:

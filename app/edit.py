@@ -6,12 +6,13 @@ travel among a step's values (`values[EDITED]`) to whatever evaluates a twin: re
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
 
 from app import shader
 from app.catalog import LoadedStep, terms
 from app.gpu.stage_text import Source, programs
+from app.lesson import Plot, Term
 from app.problem import Problem
 from app.shader import WIDTH, Overrides, Signature
 
@@ -57,7 +58,8 @@ def functions_of(source: Source, called: Iterable[str] = ()) -> dict[str, Functi
     found = written(own, SCENE, compiled)
     for include in (file.removeprefix("glsl/") for file in files):
         if include.startswith(COURSE):
-            lines = [shader.Line(text, f"glsl/{include}", i) for i, text in enumerate(shader.read(include).split("\n"), 1)]
+            text = shader.read(include).split("\n")
+            lines = [shader.Line(line, f"glsl/{include}", i) for i, line in enumerate(text, 1)]
             found = written(lines, include, compiled) | found
     return {name: found[name] for name in sorted(found, key=lambda name: found[name].include != SCENE)}
 
@@ -102,7 +104,7 @@ def overrides(texts: Mapping[str, str], known: Mapping[str, Function], source: S
 def among_values(texts: Mapping[str, str], known: Mapping[str, Function], source: Source) -> dict[str, Overrides]:
     """What values carry: the texts of glsl/; a scene's own functions are nothing that a number is made of."""
     twins = {name: text for name, text in texts.items() if known[name].include != SCENE}
-    return {EDITED: overrides(twins, known, source)} if twins else {}
+    return {EDITED: overrides(twins, known, source)} if texts else {}
 
 
 def check(text: str, function: Function) -> None:
@@ -133,9 +135,29 @@ def declared(signature: Signature) -> str:
     return f"{signature.returns} {signature.name}({args})"
 
 
+def first_complaint(problem: str, function: str) -> str:
+    """What a compiler says of a function's text first, without its words around it: the rest follows from that."""
+    found = complaints(problem, function)
+    return f"line {found[0][0]}: {found[0][1]}" if found else problem
+
+
 def complaints(problem: str, function: str) -> list[tuple[int, str]]:
     """(line, sentence) of what is said of this function's text."""
-    return [(int(line), words) for name, line, words in MESSAGE.findall(problem) if name == function]
+    return [(int(line), words.removeprefix("error: ")) for name, line, words in MESSAGE.findall(problem)
+            if name == function]
+
+
+def marked(plot: Plot, edits: Overrides) -> Plot:
+    """The plot, "yours" behind the labels of what is made of the texts; the same where nothing is."""
+
+    def one(part):
+        if isinstance(part, tuple):
+            return tuple(map(one, part))
+        mine = isinstance(getattr(part, "term", None), Term) and follows(part.term.function, edits)
+        return replace(part, label=f"{part.label}, yours") if mine else part
+
+    parts = {f.name: getattr(plot, f.name) for f in fields(plot)}
+    return replace(plot, **{name: one(part) for name, part in parts.items() if isinstance(part, tuple)})
 
 
 def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Overrides]]:

@@ -122,14 +122,16 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Worded):
     """Constant numbers with a name of their own: a `sampler2D` of the scene and an argument of its twins.
 
-    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it."""
+    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it. Or a user's
+    map of that kind: four channels, the fourth 0 as long as there is none, and the scene's own formula holds."""
 
     uniform: str
-    files: tuple[str, ...]
+    files: tuple[str, ...] = ()
     choice: str = ""
+    map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
 
 
 @dataclass(frozen=True)
@@ -163,6 +165,7 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
     texts: tuple[Text, ...] = ()
     measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it

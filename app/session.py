@@ -269,9 +269,13 @@ class Session:
 
     def restore(self, name: str) -> None:
         """The course's text again; what was typed can be brought back."""
+        self.put_aside(name)
+        self.type(name, self.function(name).text)
+
+    def put_aside(self, name: str) -> None:
+        """What was typed is kept, to be brought back."""
         if name in self.visit.texts:
             self.visit.aside[name] = self.visit.texts[name]
-        self.type(name, self.function(name).text)
 
     def bring_back(self, name: str) -> None:
         self.type(name, self.visit.aside.pop(name, self.text(name)))

@@ -25,6 +25,7 @@ from app.lesson import (
     Slice,
     Step,
     Surface,
+    Table,
     Term,
     Value,
 )
@@ -884,7 +885,7 @@ vec3 shade(Surface s) {
     if (map_layers < 1) albedo = vec3(0.25);
     if (map_layers < 2) f0 = vec3(0.04);
     float m = 0.35;
-    if (map_layers > 2) m = map_trap == 1 ? roughness_as_srgb(s.st.x, s.st.y) : stored_roughness(s.st.x, s.st.y);
+    if (map_layers > 2) m = max(map_trap == 1 ? decoded(stored(2, s.st)).r : stored(2, s.st).r, 0.02);
     if (map_layers > 3) n = normalize(2.0 * (map_trap == 2 ? decoded(stored(3, s.st)) : stored(3, s.st)) - 1.0);
     vec3 to_lamp = vec3(light_x, light_y, 1.1) - s.position, l = normalize(to_lamp), v = s.v, r = 2.0 * dot(n, v) * n - v;
     float n_dot_l = max(dot(n, l), 0.0), x = 1.0 - 0.5 * length(l + v), x5 = x * x * x * x * x;
@@ -919,6 +920,7 @@ vec4 probe(int i) {
         labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
         handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
         legend=(("l", "colour: decode"), ("v", "number: as it is")),
+        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
         camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
     ),
     plot=(
@@ -954,7 +956,8 @@ pick it in a colour picker, decode it; if it enters a formula as it is, do not. 
 stored values, mean the light, compare. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - Texturing", "IEC 61966-2-1", "Deck, slide Distribution Term (2): the peak of D"),
-    honesty="The maps are formulas of this page, not scans. Numbers are exact. The picture has one point light, an even room in place "
+    honesty="The maps are formulas of this page, not scans, unless you bring yours (--map roughness=FILE, or drop a picture): those "
+            "are filtered as they are stored. Numbers are exact. The picture has one point light, an even room in place "
             "of mirror images, V-groove masking of the mean normal, no shadows in the relief, and light bent to the screen.",
     values=(Value("map_layers", 4, choices=("none", "albedo", "F(0)", "rough", "normal")),
             Value("map_trap", 0, choices=("nothing", "roughness", "normals", "colours")),

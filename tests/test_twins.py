@@ -6,13 +6,11 @@ import pytest
 from app import optics, shader
 from app.gpu.context import program
 from app.gpu.evaluate import WIDTH, evaluate, point_program
-from app.optics.facets import _ring
 from app.quantities import TABLE
-from app.tables import built_in
+from app.stress.domain import COUNTED, POINTS, arguments, f32
 from app.tolerance import FACTOR, ratio
 
 CATALOGUE = shader.catalogue()
-POINTS = 400
 TABLE_CORNERS = [TABLE[f"corner_{k}"].default for k in "abcde"]
 NAIVE = [name for name in CATALOGUE if name.endswith("_naive")]
 DIRECTIONS = {"n", "l", "v", "h", "to_sun"}  # unit vectors
@@ -323,8 +321,6 @@ def test_every_function_has_its_twin():
 
 
 @pytest.mark.parametrize("name", CATALOGUE)
-
-
 def test_same_file_and_arguments(name):
     include, signature = CATALOGUE[name]
     assert include == f"optics/{optics.names()[name]}.glsl"
@@ -336,8 +332,6 @@ def test_same_file_and_arguments(name):
 
 
 @pytest.mark.parametrize("name", sorted(set(CATALOGUE) - set(NAIVE) - set(COUNTED)))
-
-
 def test_same_values(name, ctx, record_property):
     rng = np.random.default_rng(sum(map(ord, name)))
     is_vector = WIDTH[CATALOGUE[name][1].returns] > 1
@@ -353,8 +347,6 @@ def test_same_values(name, ctx, record_property):
 
 
 @pytest.mark.parametrize("name", CATALOGUE)
-
-
 def test_compiles_for_the_web(name, ctx):
     include, signature = CATALOGUE[name]
     source, _, _ = point_program(signature, include, None)
@@ -396,8 +388,6 @@ def test_every_naive_form_is_tried():
 
 
 @pytest.mark.parametrize("name", NAIVE)
-
-
 def test_naive_forms_break_the_rule(name, ctx):
     """Otherwise the rule would not bite."""
     args, stable = LOSES_ITS_DIGITS[name], STABLE.get(name, name.removesuffix("_naive"))
@@ -407,8 +397,6 @@ def test_naive_forms_break_the_rule(name, ctx):
 
 
 @pytest.mark.parametrize("name", sorted(COUNTED))
-
-
 def test_counts_differ_by_rays_at_the_rim_only(name, ctx):
     rng = np.random.default_rng(1)
     args = arguments(name, rng)

@@ -33,18 +33,30 @@ def file_of(record: Record, theme: str) -> str:
     return f"{words}{'' if theme == 'light' else '-' + theme}.png"
 
 
-def save(records: list[tuple[Study, Record]], folder: Path, machine: dict) -> None:
-    """index.html and a PNG for each record and theme."""
-    parts, outline = [], []
-    for i, (study, record) in enumerate(records):
+class Report:
+    """A folder that fills while the studies are measured: a PNG for each record and theme, at the end the page."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.parts: list[str] = []
+        self.outline: list[str] = []
+
+    def add(self, study: Study, record: Record) -> None:
         shots = {}
         for theme in ("light", "dark"):
             shots[theme] = png(whole(study, record, SIZE, THEMES[theme]))
-            target.write(folder / file_of(record, theme), shots[theme])
+            target.write(self.folder / file_of(record, theme), shots[theme])
         title = escape(record.title if record.where == "CPU" else f"{record.title}, as pixels on the GPU")
-        outline.append(f'<li><a href="#s{i}">{title}: {escape(record.case or record.step)}</a></li>')
-        parts.append(section(i, title, record, shots))
-    target.write(folder / "index.html", page(outline, parts, machine).encode())
+        number = len(self.parts)
+        self.outline.append(f'<li><a href="#s{number}">{title}: {escape(record.case or record.step)}</a></li>')
+        self.parts.append(section(number, title, record, shots))
+
+    def save(self, machine: dict, data: str) -> Path:
+        """study.json and index.html."""
+        target.write(self.folder / "study.json", data.encode())
+        index = self.folder / "index.html"
+        target.write(index, page(self.outline, self.parts, machine).encode())
+        return index
 
 
 def section(number: int, title: str, record: Record, shots: dict[str, bytes]) -> str:

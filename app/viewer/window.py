@@ -17,7 +17,7 @@ from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.readouts import numbers
+from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
 from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
@@ -50,6 +50,7 @@ class Window:
         size: tuple[int, int] = (1280, 720),
         folder: Path = LESSONS,
         ies: str | None = None,
+        maps: tuple[str, ...] = (),
     ):
         self.progress = Progress()
         self.session = Session(start, self.progress, folder)
@@ -57,7 +58,7 @@ class Window:
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
         self.styled: tuple | None = None
-        self.show_welcome = not start and mesh is None and ies is None
+        self.show_welcome = not start and mesh is None and ies is None and not maps
         self.show_outline = self.show_help = self.show_notes = False
         self.query = ""
         self.message = self.progress.message or self.session.message
@@ -66,11 +67,13 @@ class Window:
         self.own = Belongings(self)
         self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
+        self.measured: Known = {}  # of this step
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
+        self.own.take_maps(maps)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
@@ -132,9 +135,9 @@ class Window:
         unit = imgui.get_font_size()
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
-        if self.editor.is_open:
-            left = round(0.42 * size.x)
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
+        if self.editor.is_open:
+            left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
         self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
@@ -287,7 +290,9 @@ class Window:
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
-            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
+                self.measured.clear()
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)
             self.ctx.screen.use()
         return self.figures[1]
 

@@ -29,7 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--all", action="store_true", help="every step of the course")
     parser.add_argument("-o", "--output", metavar="DIR", required=True, help="the folder the pages go to")
     parser.add_argument("--poster", action=BooleanOptionalAction, default=True,
-                        help="a still beside each page and in it, for slides and where there is no WebGL2 (needs OpenGL)")
+                        help="a still beside each page and in it, for slides and browsers without WebGL2")
 
 
 def run(options: Namespace) -> int:
@@ -81,7 +81,7 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
         from app.gpu.stage import Stage
         from app.gpu.stage_text import Source
 
-        values = defaults(found)
+        values: dict = defaults(found)
         values |= carried(found, values)
         picture = shot(found, values, None, POSTER, DARK)
         small = webp(picture.resize(SMALL, Image.Resampling.LANCZOS))

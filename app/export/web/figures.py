@@ -1,4 +1,4 @@
-"""A step's plots as data for the page: curves, slices, ledgers and lobes by their terms, what stands in space as a scene.
+"""A step's plots as data for the page: curves, slices and ledgers by their terms, what stands in space as a scene.
 
 What compares float32 with float64 cannot be computed where there is float32 alone: such a plot carries its exact curve
 where that depends on the swept value only, and else is a still that says so.
@@ -17,7 +17,6 @@ from app.plots.models import CHANNELS
 from app.plots.sweep import Sweep
 from app.spoken import axis_title
 from app.state import defaults
-from app.terms import bound
 
 FLOOR = 1e-8  # an error of 0 in float32 is drawn here
 
@@ -137,5 +136,3 @@ def in_space(one: Figure | Faces | Lobes | ImageSlice, found: LoadedStep, twins:
     return data | {"what": "slice", "lobes": [s for s, _ in zip(shown, labels, strict=False)],
                    "scene": scene(space.image_slice(firsts, several, scaled, one.models))}
 
-
-__all__ = ["bound", "plot"]
