@@ -1,8 +1,8 @@
 """When an answer is right: |y - f| <= a + 8 u (|f| + sum |x df/dx|), with what a sound way of computing may lose.
 
 u is 2^-24 in GLSL, half the distance of 1 to the next number, and 2^-44 in Python: nine bits of float64 are given away,
-because there a sound sum in another order is no mistake, and an unstable form loses more. Where the allowance passes a tenth of f
-(a lobe of exponent 10^6), the answer may be off by that factor instead, has the right sign and is finite.
+because there a sound sum in another order is no mistake, and an unstable form loses more. Where the allowance passes a
+tenth of f (a lobe of exponent 10^6), the answer may be off by that factor instead, has the right sign and is finite.
 """
 
 from collections.abc import Callable

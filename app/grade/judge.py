@@ -147,9 +147,9 @@ class Sheet:
         return next(region.weight for region in self.task.regions if region.name == name)
 
     def absent(self, part: str, group: str, name: str, most: float, reply: Reply, points: int = 0) -> Test:
-        return Test(f"{self.task.function}/{name}", group, self.task.function, name, self.language, part, most, 0.0, most,
-                    reply.verdict or "runtime_error", points, points, message_key=reply.verdict,
-                    message=reply.said)
+        function, verdict = self.task.function, reply.verdict or "runtime_error"
+        return Test(f"{function}/{name}", group, function, name, self.language, part, most, 0.0, most, verdict, points,
+                    points, message_key=verdict, message=reply.said)
 
     def region(self, part, rows: Rows, args, known: Truth, values, right, cheap, agreement) -> Test:
         task, at = self.task, rows.slice
@@ -211,7 +211,7 @@ class Sheet:
                               most, most * share, most, verdict, len(holds), wrong,
                               message_key="property" if wrong else "", message=message,
                               requires=tuple(f"{task.function}/{row.name}" for row in regions[:1]),
-                              rationale="" if agreement == 1 else f"counts {agreement:.0%}, as far as the values agree"))
+                              rationale="" if agreement == 1 else f"counts {agreement:.0%}, as the values agree"))
         return found
 
     def of_picture(self, part: str) -> Test:
@@ -235,7 +235,8 @@ class Sheet:
         fast = reply.seconds <= limit
         message = "" if fast else f"it takes more than {task.gross:g} times as long as the solution."
         return Test(f"{task.function}/speed", "runtime", task.function, "speed", self.language, part, most,
-                    most * fast * agreement, most, "skipped" if not agreement else "pass" if fast else "wrong", message=message,
+                    most * fast * agreement, most, "skipped" if not agreement else "pass" if fast else "wrong",
+                    message=message,
                     requires=(f"{task.function}/{task.regions[0].name}",))
 
     # --- misconceptions ----------------------------------------------------------------------------------------------

@@ -127,7 +127,7 @@ def matched(wrong: np.ndarray, right: Truth, values: np.ndarray) -> tuple[float,
         clear = ~(norm(wrong - right.value, vector) <= CLEAR * size + 10 * right.allowed)
         same = norm(values - wrong, vector) <= CLOSE * norm(wrong, vector) + 2 * right.allowed
     clear &= ~(size < NOTHING) | ~np.isfinite(norm(wrong, vector))
-    strange = ~np.isfinite(wrong if not vector else wrong.sum(-1)) & ~np.isfinite(values if not vector else values.sum(-1))
+    strange = ~np.isfinite(norm(wrong, vector)) & ~np.isfinite(norm(values, vector))
     count = int(np.sum(clear))
     if count < FEWEST or np.mean((agrees(right, values) | same | strange)[~clear] if np.any(~clear) else 1.0) < 0.5:
         return 0.0, 0

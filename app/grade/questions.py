@@ -1,7 +1,7 @@
 """An assignment's questions: the same points for every student, drawn from a seed, a task's rows one behind the other.
 
-The rows of a question follow from the assignment alone: its regions in their order, the swapped rows of reciprocity, the
-directions of the energy's sum. So the judge knows what each row is for, and whoever answers does not.
+The rows of a question follow from the assignment alone: its regions in their order, the swapped rows of reciprocity,
+the directions of the energy's sum. So the judge knows what each row is for, and whoever answers does not.
 """
 
 import hashlib

@@ -10,7 +10,7 @@ def lobe_power(n_dot_h, exponent):
 
 
 MISCONCEPTIONS = {
-    "rv_not_clamped": {"lobe_power": lambda n_dot_h, exponent: np.power(n_dot_h, exponent)},
+    "rv_not_clamped": {"lobe_power": np.power},
     "abs_for_max": {"message": "A cosine below 0 is behind the surface: take the larger of it and 0, not its size.",
                     "lobe_power": lambda n_dot_h, exponent: np.abs(n_dot_h) ** exponent},
 }
