@@ -69,7 +69,13 @@ def window():
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits)}
+def grading():
+    from tests.bench.grading import grading as measure
+
+    return measure()
+
+
+GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())
