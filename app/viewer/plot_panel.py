@@ -58,7 +58,8 @@ class PlotPanel:
         for i, word in enumerate(tab_words(plots)):
             if i:
                 imgui.same_line(0, gap)
-                if imgui.get_cursor_pos_x() + imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x > right:
+                wide = imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x
+                if imgui.get_cursor_pos_x() + wide > right:
                     imgui.new_line()
             chosen = i == session.visit.plot
             if chosen:

@@ -68,6 +68,7 @@ class Window:
         self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
+        self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
@@ -284,8 +285,10 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        values = self.session.values
-        return {**values, **self.session.current.derived(values), **self.own.data, **self.session.edited}
+        key = self.session.current.id, self.session.revision
+        if self.derived[0] != key:
+            self.derived = key, self.session.current.derived(self.session.values)
+        return {**self.session.values, **self.derived[1], **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
