@@ -20,6 +20,7 @@ radiance, that badge is not kept either, and its worst value is None.
 import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from importlib import import_module
 
 import numpy as np
 
@@ -27,7 +28,7 @@ from app.edit import EDITED
 from app.furnace import PART, POLES, albedo, first_look
 from app.hemisphere import NORMAL
 from app.lesson import Model
-from app.optics import arguments
+from app.optics import arguments, twin
 from app.optics.spherical import direction
 from app.readouts import three
 from app.terms import bound, evaluate, is_yours
@@ -80,7 +81,10 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
-    """The badges of a step's model at the step's values."""
+    """The badges of a step's model at the step's values. A model of the board judges itself, in every channel."""
+    if ":" in model.term.function:
+        values = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0)["values"]
+        return import_module("app.board.terms").badges(model.term.function, values)
 
     def reflect(n, l, v, radiance=1.0):
         return evaluate(model.term, values, n=n, l=l, v=v, radiance=radiance)
@@ -193,10 +197,11 @@ def linear(reflect: Callable, l: np.ndarray, v: np.ndarray) -> Badge:
 
 
 def key(model: Model, values: dict) -> tuple:
-    """What a model's badges depend on: the twin and its arguments, without the directions."""
+    """What a model's badges depend on: the twin, another one once its file has changed, and its arguments, without the
+    directions."""
     args = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0, radiance=0)
     edits = values.get(EDITED, ()) if is_yours(model.term, values) else ()
-    return model.term.function, tuple((name, str(value)) for name, value in args.items()), edits
+    return twin(model.term.function), tuple((name, str(value)) for name, value in args.items()), edits
 
 
 def told(name: str, badge: Badge) -> str:

@@ -58,6 +58,9 @@ def functions_of(source: Source, called: Iterable[str] = ()) -> dict[str, Functi
     compiled = {name for one in made for name in one.kept}
     files = dict.fromkeys(file for one in made for file in one.files)
     found = written(own, SCENE, compiled)
+    for one in source.scene.texts:  # a user's model on the board
+        lines = [shader.Line(line, one.file, i) for i, line in enumerate(one.text.split("\n"), one.first)]
+        found |= written(lines, one.name, compiled)
     for include in (file.removeprefix("glsl/") for file in files):
         if include.startswith(COURSE):
             text = shader.read(include).split("\n")
@@ -98,15 +101,23 @@ def overrides(texts: Mapping[str, str], known: Mapping[str, Function], source: S
     found: dict[str, shader.Source] = {}
     for name, text in sorted(texts.items()):
         function = known[name]
-        whole = found.get(function.include) or (
-            shader.Source(source.scene.glsl, source.file, source.first) if function.include == SCENE else
-            shader.Source(shader.read(function.include), function.file))
+        whole = found.get(function.include) or included(function, source)
         lines = whole.text.split("\n")
         at, count = function.first - whole.first, function.text.count("\n") + 1
         lines[at:at + count] = [f'#include "{YOURS}{name}"', *[""] * (count - 1)]
         found[function.include] = shader.Source("\n".join(lines), whole.file, whole.first)
         found[YOURS + name] = shader.Source(text, YOURS + name)
     return tuple(sorted(found.items()))
+
+
+def included(function: Function, source: Source) -> shader.Source:
+    """The whole text that a function stands in."""
+    for one in source.scene.texts:
+        if one.name == function.include:
+            return shader.Source(one.text, one.file, one.first)
+    if function.include == SCENE:
+        return shader.Source(source.scene.glsl, source.file, source.first)
+    return shader.Source(shader.read(function.include), function.file)
 
 
 def among_values(texts: Mapping[str, str], known: Mapping[str, Function], source: Source) -> dict[str, Overrides]:

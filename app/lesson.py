@@ -122,14 +122,26 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Worded):
     """Constant numbers with a name of their own: a `sampler2D` of the scene and an argument of its twins.
 
-    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it."""
+    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it. Or a user's
+    map of that kind: four channels, the fourth 0 as long as there is none, and the scene's own formula holds."""
 
     uniform: str
-    files: tuple[str, ...]
+    files: tuple[str, ...] = ()
     choice: str = ""
+    map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
+
+
+@dataclass(frozen=True)
+class Text:
+    """GLSL written elsewhere (`file`, from line `first` on) that a scene includes by this name: a user's model."""
+
+    name: str
+    text: str
+    file: str
+    first: int = 1
 
 
 @dataclass(frozen=True)
@@ -153,6 +165,10 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
+    texts: tuple[Text, ...] = ()
+    measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
 @dataclass(frozen=True)
@@ -188,6 +204,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    tab: str = ""  # a word for its tab
 
 
 @dataclass(frozen=True)
@@ -264,6 +281,7 @@ class Slice(Worded):
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
     kind: Literal["polar", "angle"] = "polar"
+    tab: str = ""
 
 
 @dataclass(frozen=True)
@@ -275,8 +293,42 @@ class ImageSlice:
     models: tuple[Model, ...] = ()
 
 
+@dataclass(frozen=True)
+class Method:
+    """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
+    whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
+    arguments in the step, or what `sets` says, "N" standing for the samples."""
+
+    label: str
+    rule: str = ""
+    term: Term | None = None
+    cost: str = ""
+    ladder: tuple[int, ...] = ()  # none: the rule's own
+    sets: dict[str, Number | str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Study(Worded):
+    """Error against run time: what a quantity costs by several methods. It is what their twins estimate, or the
+    integral of a product of twins over "directions" (all l, times n.l), "halfways" (all h, times n.h), the "sphere"
+    (all `towards`), "angles" (all theta and phi) or "wavelengths". `halfway study` looks at all `cases`; an error is
+    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` (a value, a twin) how wide the lobe is."""
+
+    title: str
+    exact: Term | Method | float
+    methods: tuple[Method, ...]
+    why: str  # why the winner wins
+    over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
+    integrand: tuple[Term, ...] = ()
+    sampler: str = ""
+    width: str | Term = ""
+    about: Literal["halfway", "mirror"] = "halfway"
+    cases: tuple[dict[str, Number], ...] = ({},)
+    worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
+
 ModelPlot = Lobes | Slice | ImageSlice
-Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice
+Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study
 
 
 @dataclass(frozen=True)
@@ -321,11 +373,13 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
+    study: Study | None = None  # of lessons/studies.py
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
-        """Its plots, each with the models it shows."""
+        """Its plots, each with the models it shows; its study last."""
         given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
+        given += (self.study,) if self.study else ()
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
 

@@ -22,7 +22,7 @@ class Quantity:
     words: str
     extreme: tuple[float, float] | None = None  # beyond the ordinary range; None: the same
     scale: Literal["linear", "log"] = "linear"
-    kind: Literal["float", "int", "vec2", "vec3"] = "float"
+    kind: Literal["float", "int", "vec2", "vec3", "color"] = "float"
 
     @property
     def is_angle(self) -> bool:
@@ -34,7 +34,15 @@ class Quantity:
 
     @property
     def width(self) -> int:
-        return {"vec2": 2, "vec3": 3}.get(self.kind, 1)
+        return {"vec2": 2, "vec3": 3, "color": 3}.get(self.kind, 1)
+
+    def shown(self, value: Number) -> Number:
+        """A value as the screen shows it: angles in degrees."""
+        return scaled(value, 180 / PI) if self.is_angle else value
+
+    def entered(self, value: Number) -> Number:
+        """A value typed in screen units, as the formulas want it."""
+        return scaled(value, PI / 180) if self.is_angle else value
 
 
 TAU, PI = 2 * math.pi, math.pi
@@ -220,7 +228,7 @@ TABLE: dict[str, Quantity] = {
     "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
     "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
     "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
-    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness of a diffuse surface, EON"),
+    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness as a file stores it, glTF's or EON's"),
     "disk_x": Quantity("x", "", -1.0, 1.0, 0.0, "place on the disk of a ball, from its middle to its rim at 1"),
     "phase": Quantity(r"\gamma", "rad", 0.0, 1.4, 0.0, "angle between the light and the eye", extreme=(0.0, 1.5)),
     "facets": Quantity("N", "", 100, 10000, 10000, "number of facets", (1, 20000), "log", "int"),
@@ -237,6 +245,7 @@ TABLE: dict[str, Quantity] = {
     "map_t": Quantity("t", "", 0.0, 1.0, 0.5, "place on the map, from the front"),
     "map_layers": Quantity("k", "", 0, 4, 4, "how many of the maps are on", kind="int"),
     "map_trap": Quantity("k", "", 0, 3, 0, "which map is read wrongly", kind="int"),
+    "turned": Quantity(r"\psi", "rad", -PI, PI, 0.0, "turn of the picked point about the line of sight"),
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("K", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
@@ -248,6 +257,13 @@ TABLE: dict[str, Quantity] = {
     "scene_linear": Quantity("x", "", 0.0, 16.0, 0.5, "linear number of a camera: 1 is just full", (0.0, 1e6)),
     "globe": Quantity("k", "", 0, 2, 0, "which of three lamps", kind="int"),
     "taken": Quantity("k", "", 0, 1, 0, "what a program takes for L_i: L, or I/r²", kind="int"),
+    "gain": Quantity("g", "", 0.01, 100.0, 12.566, "how many times more light", (1e-6, 1e6), "log"),
+    "mistake": Quantity("k", "", 0, 4, 0, "which one mistake a program makes", kind="int"),
+    # a second renderer
+    "base_colour": Quantity("c", "", 0.0, 1.0, 0.5, "one channel of glTF's base colour, linear"),
+    "metallic": Quantity("k", "", 0.0, 1.0, 0.0, "1: a metal, its base colour is F0; 0: an insulator, F0 is 0.04"),
+    "wipe": Quantity("x", "", -1.0, 1.0, 0.0, "where the second renderer's half begins"),
+    "mapped": Quantity("k", "", 0, 2, 1, "how a file's roughness r is read: m = r, m = r², or all of glTF", kind="int"),
     "curve": Quantity("k", "", 0, 2, 0, "which tone curve: cut at 1, Reinhard, ACES fit", kind="int"),
 }
 
@@ -278,13 +294,13 @@ def quantity(name: str) -> Quantity:
 
 
 def shown(name: str, value: Number) -> Number:
-    """A value as the screen shows it: angles in degrees."""
-    return scaled(value, 180 / PI) if quantity(name).is_angle else value
+    """A value of the table as the screen shows it."""
+    return quantity(name).shown(value)
 
 
 def entered(name: str, value: Number) -> Number:
-    """A value typed in screen units, as the formulas want it."""
-    return scaled(value, PI / 180) if quantity(name).is_angle else value
+    """A value of the table typed in screen units, as the formulas want it."""
+    return quantity(name).entered(value)
 
 
 def scaled(value: Number, factor: float) -> Number:

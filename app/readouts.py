@@ -13,6 +13,7 @@ import numpy as np
 
 from app.edit import EDITED
 from app.lesson import Readout, Step
+from app.needs import key, of_term
 from app.problem import Problem
 from app.terms import evaluate, is_yours
 
@@ -20,6 +21,7 @@ ROUNDING = {"float64": 2.0**-52, "float32": 2.0**-23}  # one unit in the last pl
 DIGITS = {"float64": 17, "float32": 9}  # enough to tell any two neighbours apart
 SUMS = {"solid_angle_mesh": 4 * math.pi, "winding_number": 1.0}  # signed sums of terms of this size: they cancel
 NOTHING = 1e-12  # of that size is 0, but for rounding
+Known = dict[str, tuple[tuple, tuple[float, float]]]  # a readout's label -> the values it needs, what it was and cost
 _warm: set[tuple[str, str]] = set()  # what has been evaluated once: compiling is no part of a number's cost
 
 
@@ -38,9 +40,11 @@ class Number:
     whose: str = ""  # "yours" or "the course's", while something is edited
 
 
-def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
-    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`)."""
-    found = {readout.label: measured(readout, values, ctx) for readout in step.readouts}
+def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> list[Number]:
+    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`). What is `known` and
+    does not depend on a value that has changed is not computed again."""
+    found = {readout.label: remembered(readout, values, ctx, {} if known is None else known)
+             for readout in step.readouts}
     shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
     made = [number_of(evaluated(readout, values), *found[readout.label], shown.get(readout.against))
             for readout in step.readouts]
@@ -53,6 +57,13 @@ def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
 def evaluated(readout: Readout, values: dict) -> Readout:
     """The readout in the precision it is evaluated in: a text of the user's is GLSL."""
     return replace(readout, precision="float32") if is_yours(readout.term, values) else readout
+
+
+def remembered(readout: Readout, values: dict, ctx, known: Known) -> tuple[float, float]:
+    now = key(values, of_term(readout.term))
+    if known.get(readout.label, ((None,),))[0] != now:
+        known[readout.label] = now, measured(readout, values, ctx)
+    return known[readout.label][1]
 
 
 def without_rounding(readout: Readout, value: float) -> float:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app import prediction
-from app.catalog import LoadedStep, chapters, step, steps
+from app.catalog import BOARD, LoadedStep, chapters, step, steps
 from app.edit import Function, among_values, functions, source_of
 from app.lesson import Number, Plot
 from app.paths import LESSONS
@@ -53,7 +53,7 @@ class Session:
             raise Problem(faults[0] if faults else f"there is no lesson in {folder}.")
         last = progress.setting("last_step") if progress else None
         known = {found.id for found in self.steps}
-        self.current = step(start.partition("?")[0] or (last if last in known else self.steps[0].id), folder)
+        self.current = self.found(start.partition("?")[0] or (last if last in known else self.steps[0].id))
         self.visit = self.enter(self.current)
         if "?" in start:
             self.visit.put(*unpacked(parse(start, folder)))
@@ -91,10 +91,24 @@ class Session:
         state = parse(text, self.folder)
         self.end_change()
         self.save()
-        self.current = step(state.step, self.folder)
+        self.current = self.found(state.step)
         self.visit = self.enter(self.current)
         if "?" in text:
             self.change(*unpacked(state))
+
+    def found(self, id: str) -> LoadedStep:
+        """The step of that name; one that is made when it is asked for stands behind the course's, one at a time."""
+        found = step(id, self.folder)
+        if id.startswith(BOARD):
+            self.steps = (*(one for one in self.steps if not one.id.startswith(BOARD)), found)
+        return found
+
+    def examine(self, id: str) -> None:
+        """The board of other models: what was set there stays set."""
+        found = step(id, self.folder)
+        kept = found.carried(self.current, self.values)
+        self.go(id)
+        self.change({**self.values, **kept}, self.view)
 
     def next(self) -> bool:
         return self.move(1)
@@ -133,8 +147,9 @@ class Session:
         return visit
 
     def save(self) -> None:
-        """Remember this step on disk: when it is left, when a truth is told, and now and then."""
-        if self.progress:
+        """Remember this step on disk: when it is left, when a truth is told, and now and then. The board is no step of
+        the course."""
+        if self.progress and not self.current.id.startswith(BOARD):
             self.progress.put_state(self.current.id, self.state)
             self.progress.put_texts(self.current.id, self.visit.texts, self.visit.aside)
             self.progress.save()
@@ -295,7 +310,7 @@ class Session:
         if self.current.step.ask.sets:
             self.change(prediction.truth_values(self.current), self.view)
         self.revision += 1
-        if self.progress:
+        if self.progress and not self.current.id.startswith(BOARD):
             self.progress.put_answer(self.current.id, self.answer.guess, self.answer.choice, truth)
         self.save()
         return self.answer

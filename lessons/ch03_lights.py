@@ -407,6 +407,7 @@ while you turn the exponent: the solid grows longer as it grows thinner. Its vol
 [No flux](?radiant_flux=0), no light. [Negative](?radiant_flux=-30) flux takes light away: red dots, never hidden.
 """,
     scene=Scene(
+        negative={"radiant_flux": (-50.0, -1e-9)},
         glsl="""
 #include "optics/distribution.glsl"
 #include "optics/punctual.glsl"
@@ -746,6 +747,7 @@ is lit.
 [measured downlight](?hotspot=18&falloff=30&edge=3) of the same flux has no cones.
 """,
     scene=Scene(
+        negative={"edge": (2, 2)},
         glsl="""
 #include "optics/spot.glsl"
 #include "optics/ies.glsl"

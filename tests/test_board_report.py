@@ -22,6 +22,7 @@ from app.optics import arguments, twin
 from app.optics.colour import linear_to_srgb
 from app.optics.cook_torrance import albedo_cook_torrance
 from app.optics.spherical import direction
+from app.plots.models import Lit
 from app.problem import Problem, Usage
 from app.theme import THEMES
 
@@ -66,6 +67,16 @@ def test_a_file_that_has_changed_is_read_again(tinted):
     tinted.write_text(TINTED.replace("2. : 1.", "2. : .5"))
     os.utime(tinted, ns=(1, 1))
     assert twin(f"board:{tinted}")(N, L, V, 0, values) == pytest.approx(before / 2)
+
+
+def test_what_a_plot_keeps_goes_when_the_file_changes(tinted):
+    """A drawing computes a lobe anew when its key is another one."""
+    one = Lit(Model("x", Term(f"board:{tinted}", {"values": (1.0, 1.0, 0.5, 0.25, 0.0), "channel": 0})), VALUES, "v")
+    before = one.key
+    assert one.key == before
+    tinted.write_text(TINTED.replace("2. : 1.", "2. : .5"))
+    os.utime(tinted, ns=(1, 1))
+    assert one.key != before and one.key[-1] != before[-1]
 
 
 def test_values_are_packed_and_unpacked(tinted):
@@ -200,7 +211,18 @@ def test_the_command_writes_it(tinted, tmp_path, capsys):
         assert picture.size == (800, 500)
     assert "tinted" in capsys.readouterr().out
     assert main(["board", "lambert", "-o", str(tmp_path / "report.jpg")]) == 2
-    assert main(["board", *["lambert"] * (MOST + 1), "-o", str(out)]) == 2
-    assert "5 models; a picture of the board holds 4" in capsys.readouterr().err
     with pytest.raises(Usage):
         opened("lambret")
+
+
+def test_a_folder_of_many_is_drawn_in_part_and_parameters_can_be_set(tinted, tmp_path, capsys):
+    folder = tmp_path / "many"
+    folder.mkdir()
+    for i in range(MOST + 1):
+        (folder / f"m{i}.brdf").write_text(tinted.read_text())
+    (folder / "broken.brdf").write_text("analytic")
+    out = tmp_path / "many.png"
+    assert main(["board", str(folder), "-o", str(out), "--size", "400x250", "--set", "n=0.25"]) == 0
+    said = capsys.readouterr()
+    assert out.exists() and "first 4 of 5 models" in said.err and "broken.brdf has no ::begin shader" in said.err
+    assert all(f"m{i}" in said.out for i in range(MOST + 1)), "each has its verdict"

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app import VERSION, files
+from app import VERSION, console, files
 from app.catalog import LoadedStep, chapters, step, steps
 from app.export import corners, gallery, ink, labels, target
 from app.export.png import png
@@ -369,7 +369,7 @@ def test_the_bar_counts_the_steps_on_a_terminal(monkeypatch):
 
     out = Terminal()
     monkeypatch.setattr(sys, "stderr", out)
-    with gallery.progress(2) as advance:
+    with console.progress(2) as advance:
         for title in ("one", "two", ""):
             advance(title)
     assert "2/2" in out.getvalue()

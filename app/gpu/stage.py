@@ -1,28 +1,25 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any, cast
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.colormaps import STOPS
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
-from app.optics.colour import srgb_to_linear
 from app.problem import Problem
 from app.shader import Assembled, Overrides
-from app.theme import Theme, colour, rgb
+from app.theme import Theme, rgb
 
+WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
 @dataclass(frozen=True)
@@ -52,14 +49,6 @@ def give(use: moderngl.Program, **values) -> None:
 def on_gpu(values: dict) -> dict:
     """The step's values as uniforms; data that is no uniform (a mesh) stays behind."""
     return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
-
-
-@cache
-def look(theme: Theme) -> dict:
-    """What a theme gives to a scene."""
-    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
-            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
-            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
 
 
 class Stage:
@@ -101,16 +90,19 @@ class Stage:
         self.programs |= self.compiled(names)
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
-        source, found = self.source, {}
-        texts = programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
-        passing = self.passing if source.overrides else None
-        for name, (vertex, fragment) in texts.items():
+        found: dict[str, moderngl.Program] = {}
+        passing = self.passing if self.source.overrides else None
+        for name, (vertex, fragment) in self.texts(names).items():
             if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY and passing is None:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
             else:
                 found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
         return found
+
+    def texts(self, names: tuple[str, ...] | None) -> Programs:
+        source = self.source
+        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -122,8 +114,14 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
+                if any("texture_coordinates" in use for use in self.programs.values()):
+                    self.hold("texture_coordinates", WITHOUT)
                 if any("normals" in use for use in self.programs.values()):
                     self.hold("normals", corner_normals(triangles))
+        for uniform, path in self.scene.measured:
+            from app.board import merl
+
+            self.hold(uniform, merl.read(path).table)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 
@@ -136,7 +134,10 @@ class Stage:
             self.data[uniform] = data, data_texture(self.ctx, data)
 
     def take_tables(self, values: dict) -> None:
-        """The scene's tables among the values, by the names of their uniforms."""
+        """The scene's tables, and its mesh's own texture coordinates, by the names of their uniforms."""
+        own = values.get("texture_coordinates")
+        if own is not None and "texture_coordinates" in self.data:
+            self.hold("texture_coordinates", own)
         for table in self.scene.tables:
             if table.uniform in values:
                 self.hold(table.uniform, values[table.uniform])

@@ -11,18 +11,20 @@ from pathlib import Path
 from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
+from app.catalog import BOARD
 from app.edit import CODE, EDITED
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.readouts import numbers
+from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
 from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
+from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
 from app.viewer.editor_panel import REST, EditorPanel
 from app.viewer.keys import press
@@ -50,6 +52,7 @@ class Window:
         size: tuple[int, int] = (1280, 720),
         folder: Path = LESSONS,
         ies: str | None = None,
+        maps: tuple[str, ...] = (),
     ):
         self.progress = Progress()
         self.session = Session(start, self.progress, folder)
@@ -57,20 +60,23 @@ class Window:
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
         self.styled: tuple | None = None
-        self.show_welcome = not start and mesh is None and ies is None
+        self.show_welcome = not start and mesh is None and ies is None and not maps
         self.show_outline = self.show_help = self.show_notes = False
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
-        self.badges = BadgesPanel(self)
+        self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
         self.editor, self.lines = EditorPanel(self), LinesPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
+        self.measured: Known = {}  # of this step
+        self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
+        self.own.take_maps(maps)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
@@ -139,7 +145,7 @@ class Window:
         if self.editor.is_open:
             left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else lambda: text_panel.draw(self))
+        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -157,9 +163,15 @@ class Window:
         draw()
         imgui.end()
 
+    def text_column(self) -> None:
+        if self.session.current.id.startswith(BOARD):
+            self.board.draw(self.values)
+        else:
+            text_panel.draw(self)
+
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = controls.height(self.session.current.values.values(), room.x)
+        below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
         if self.own.fault:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
@@ -182,6 +194,8 @@ class Window:
         self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * width)))
         imgui.spacing()
         try:
+            if self.session.current.id.startswith(BOARD):
+                self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
         except Problem as problem:
@@ -251,6 +265,14 @@ class Window:
         except Usage as problem:
             self.message = str(problem)
 
+    def brush(self, at: dict[str, float] | None) -> None:
+        """Another point is picked: these angles make its normal the picked one."""
+        if at is None:
+            self.message = "No light reaches that point, so there is nothing to take apart."
+        else:
+            self.message = ""
+            self.stand(at)
+
     def open_link(self, target: str) -> None:
         """A link of the prose: it sets values, leads to a step, or opens in the browser."""
         try:
@@ -272,12 +294,17 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        return {**self.session.values, **self.own.data, **self.session.edited}
+        key = self.session.current.id, self.session.revision
+        if self.derived[0] != key:
+            self.derived = key, self.session.current.derived(self.session.values)
+        return {**self.session.values, **self.derived[1], **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
-            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
+                self.measured.clear()
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)
             self.ctx.screen.use()
         return self.figures[1]
 
