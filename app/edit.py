@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
+from importlib import import_module
 
 from app import shader
 from app.catalog import LoadedStep, terms
@@ -41,7 +42,7 @@ class Function:
         return shader.signatures(self.text)[self.name]
 
 
-@cache
+@lru_cache(256)
 def functions(found: LoadedStep) -> dict[str, Function]:
     """What may be edited: the scene's own functions, then those of glsl/ that the scene, a model or a number needs."""
     return functions_of(source_of(found), (term.function for _, term, _ in terms(found.step)))
@@ -183,7 +184,7 @@ def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Ov
     """The twins of the step's numbers, plots and models that are made of the texts."""
     edits = among_values(texts, functions(found), source_of(found)).get(EDITED, ())
     for function in dict.fromkeys(term.function for _, term, _ in terms(found.step)):
-        if follows(function, edits):
+        if ":" not in function and follows(function, edits):
             yield function, edits
 
 
@@ -191,6 +192,8 @@ def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Ov
 @lru_cache(1024)
 def follows(function: str, edits: Overrides) -> bool:
     """Whether a twin is made of one of the texts: then its GLSL is evaluated, in float32."""
+    if ":" in function:  # a model of the board
+        return bool(edits) and import_module("app.board.edited").is_edited(function.partition(":")[2], edits)
     if not edits or function not in shader.catalogue():
         return False
     signature, mine = shader.catalogue()[function][1], {name.removeprefix(YOURS) for name, _ in edits}
