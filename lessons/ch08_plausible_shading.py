@@ -46,7 +46,7 @@ COMPARE = Step(
 A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
 [beside the camera](?theta_d=5) highlights of the same width and peak. Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
-**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
+**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes [the other way](code:brdf_matter): at the angle
 $\theta$ its highlight is
 
 $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
@@ -481,7 +481,7 @@ enough**: the light must come *out* through the coat as well.
 
 $$f_d = \frac{\rho\,(1-\colour{f}{F}(n\cdot l))\,(1-\colour{f}{F}(n\cdot v))}{\pi\,(1-\colour{f}{F_\text{avg}})}$$
 
-It is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
+[It](code:body_coupled) is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
 [no coat](?f0=0), [diamond](?f0=0.17), [red paint's](?rho=0.6) share. In a **metal** all that enters is lost:
 [no body](?rho=0&f0=0.9).
 """,
@@ -593,9 +593,9 @@ $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)
 Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
 [n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
 
-$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
-only for $l\cdot h$. $D$ alone draws the highlight. **Click** any place of ball or object to pick it, or
-move the $\colour{l}{\text{light}}$: a
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ [asks
+only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or object to
+pick it, or move the $\colour{l}{\text{light}}$: a
 [low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
 drop a mesh of your own on the window.
 """,

@@ -16,6 +16,7 @@ from app.grade.live import asked_in, findings, verdicts
 from app.grade.sweep import Sweep
 from app.homework.plot import drawn
 
+
 def exercises_of_all():
     return [exercise for loaded in chapters() for exercise in loaded.chapter.exercises]
 
