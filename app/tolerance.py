@@ -159,12 +159,13 @@ def _light_terms(light_shape, radiance, position, **panel):
 
 def _point_error_terms(light_shape, light_height, panel_width, panel_tilt):
     """A difference of two lights over the brightest place: as large as what is rounded in them."""
-    shape, height, width, tilt = (np.asarray(x)[..., None] for x in (light_shape, light_height, panel_width, panel_tilt))
-    light = {"light_shape": shape, "radiance": 1.0, "light_x": 0.0, "light_y": 0.0, "light_height": height,
+    shape, height, width, tilt = (np.repeat(np.asarray(x)[..., None], len(_FLOOR), -1)
+                                  for x in (light_shape, light_height, panel_width, panel_tilt))
+    zero = np.zeros(width.shape)
+    light = {"light_shape": shape, "radiance": 1.0, "light_x": zero, "light_y": zero, "light_height": height,
              "panel_width": width, "panel_depth": width, "panel_tilt": tilt, "position": _FLOOR}
     value = twin("irradiance_light")(**light)
-    terms = value + moved("irradiance_light", light) + _light_terms(**{k: np.broadcast_to(v, value.shape)
-        if k not in ("position",) else v for k, v in light.items()})
+    terms = value + moved("irradiance_light", light) + _light_terms(**light)
     brightest = np.max(value, -1)
     return 2 * np.max(terms, -1) / np.where(brightest > 0, brightest, 1)
 
