@@ -4,27 +4,11 @@ What depends on a value lives in GLSL (the scene's functions) or is the name of 
 constant.
 """
 
-from dataclasses import dataclass, field, fields, replace
-from functools import cache, cached_property
-from typing import Literal, get_args, get_origin
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Literal
 
-Number = float | tuple[float, ...]
-Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
-
-
-class Worded:
-    """Refuses a word that a field does not know, there where the lesson says it."""
-
-    def __post_init__(self) -> None:
-        for name, words in vocabulary(type(self)):  # type: ignore[arg-type]
-            if (given := getattr(self, name)) not in words:
-                raise ValueError(f"{name}={given!r}; it can be {', '.join(map(repr, words))}")
-
-
-@cache
-def vocabulary(kind: type) -> tuple[tuple[str, tuple], ...]:
-    """The fields of a class that take one of some words."""
-    return tuple((f.name, get_args(f.type)) for f in fields(kind) if get_origin(f.type) is Literal)
+from app.vocabulary import Colour, Number, Worded
 
 
 @dataclass(frozen=True)
