@@ -283,7 +283,7 @@ def signature(top: Reader, function: str, module: Path | None) -> tuple[str, ...
         raise Usage(f"{top.file.name}: {module.name} has no function {function}.{near(function, known)}")
     call = known[function] if module else twin(function)
     found = tuple(inspect.signature(call).parameters)
-    odd = [name for name in found if name in CONSTANT or name in TABLE and TABLE[name].kind == "int"]
+    odd = [name for name in found if name in CONSTANT or (name in TABLE and TABLE[name].kind == "int")]
     if odd:
         raise Usage(f"{top.file.name}: {top.place} has the argument {odd[0]}, which is no number that varies from point "
                     "to point; ask for a function of numbers and vectors.")

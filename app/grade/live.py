@@ -15,8 +15,8 @@ from app.grade.judge import judge
 from app.grade.question import FILES, Language
 from app.grade.questions import questions
 from app.grade.result import Result, Suspect, Test
-from app.grade.supervisor import answer
 from app.grade.sandbox import Limits
+from app.grade.supervisor import answer
 from app.problem import Usage, near
 
 OWN = "L0"  # no sandbox: nobody else's text, nobody else's machine

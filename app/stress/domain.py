@@ -252,8 +252,8 @@ JOINT = {  # arguments that belong together
     "mirror_gain": off_the_horizon,
     "brdf_geometry": facing,
     **dict.fromkeys(("brdf_cook_torrance", "brdf_cook_torrance_printed", "brdf_cook_torrance_smith", "brdf_ggx",
-                     "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx", "pdf_beckmann", "pdf_ggx",
-                     "slope_squared"), facing),
+                     "brdf_file", "brdf_gltf", "cook_torrance_dg", "d_beckmann", "d_blinn_phong", "d_gauss", "d_ggx",
+                     "pdf_beckmann", "pdf_ggx", "shading_gltf", "slope_squared"), facing),
     **dict.fromkeys(("cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at"), mirrored),
     "angle_of_half": half_reached,
     "irradiance_absorbed": shares,
@@ -308,6 +308,8 @@ def arguments(name: str, rng: np.random.Generator, count: int = POINTS, values: 
     for arg in signature.args:
         if arg.name == "table":
             args[arg.name] = f32(built_in("corner").table)
+        elif arg.name.endswith("_map"):
+            args[arg.name] = rng.integers(60, 256, (7, 5, 4)).astype(np.uint8)
         elif arg.type == "sampler2D":
             args[arg.name] = f32(cube() + 0.25)
         elif arg.size:

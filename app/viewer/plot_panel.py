@@ -102,7 +102,7 @@ class PlotPanel:
         triangles = values.get("triangles")
         shown = {k: v for k, v in values.items() if k != "triangles"}
         known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, plot.title, known, size, theme.name, camera
+        wanted = found.id, id(plot), known, size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
