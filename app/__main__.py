@@ -115,6 +115,7 @@ def window_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", default="", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire: an IES file (LM-63)")
+    map_argument(parser)
     parser.add_argument("--output", metavar="FOLDER", help="no window: pictures and a page of all lessons, to here")
 
 
@@ -164,6 +165,12 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")
+    map_argument(parser)
+
+
+def map_argument(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--map", metavar="KIND=FILE", nargs="+", action="extend", default=[],
+                        help="your maps in a step that has some: albedo, f0, roughness or normal, PNG or JPEG")
 
 
 def render(options: argparse.Namespace) -> int:

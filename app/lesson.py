@@ -101,14 +101,16 @@ class Handle:
 
 
 @dataclass(frozen=True)
-class Table:
+class Table(Worded):
     """Constant numbers with a name of their own: a `sampler2D` of the scene and an argument of its twins.
 
-    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it."""
+    One of the built-in `files` (of lessons/ies), chosen by the value `choice`; a user's file replaces it. Or a user's
+    map of that kind: four channels, the fourth 0 as long as there is none, and the scene's own formula holds."""
 
     uniform: str
-    files: tuple[str, ...]
+    files: tuple[str, ...] = ()
     choice: str = ""
+    map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
 
 
 @dataclass(frozen=True)

@@ -41,6 +41,7 @@ FORBIDDEN = {
     "gpu/": ("viewer", "export", "grade", "plots", "catalog", "session", "state"),
     "plots/": ("viewer", "export", "grade", "gpu", "session"),
     "viewer/": ("export", "grade"), "export/": ("viewer", "grade", "session"), "grade/": ("viewer", "export"),
+    "homework/": ("viewer",), "exercises.py": ("viewer", "export", "gpu", "plots", "session"),
 }
 SLIDES = [title for title in (ROOT / "tests" / "reference" / "deck_slides.txt").read_text("utf-8").splitlines()
           if not title.startswith("#")]

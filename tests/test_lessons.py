@@ -9,6 +9,7 @@ from app import catalog, prediction, prose
 from app.export.still import data
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.maps import NONE
 from app.prediction import truth
 from app.readouts import numbers
 from app.state import defaults, parse_query
@@ -354,7 +355,8 @@ QUOTED = [  # what the words of a lesson say, the twin that says it too, and how
     ("plausible_shading/scale", "m_eff 3.54", 3.54, 0.005, "d_filtered",
      {"theta_h": 0.0, "m": 0.1, "bump_slope": 0.2}),
     ("plausible_shading/texturing", "0.5 is decoded to 0.21", 0.21, 0.005, "srgb_to_linear", {"encoded": 0.5}),
-    ("plausible_shading/texturing", "5.5 times", 5.46, 0.005, "peak_gain_at", {"map_s": 0.3560, "map_t": 0.55}),
+    ("plausible_shading/texturing", "5.5 times", 5.46, 0.005, "peak_gain_at",
+     {"roughness_map": NONE, "map_s": 0.3560, "map_t": 0.55}),
     ("plausible_shading/texturing", "5.5 times: 0.5", 5.5, 0.05, "peak_gain", {"encoded": 0.5}),
     ("plausible_shading/compare", "20 times. The mirror's", 20, 0.5, "gain_cook_torrance",
      {"theta_d": math.radians(75), "material": 2, "channel": 0}),

@@ -6,6 +6,7 @@ import pytest
 from scipy import integrate, special
 
 from app.gpu.evaluate import evaluate
+from app.maps import NONE
 from app.mesh_edges import corner_normals
 from app.meshes import built_in
 from app.optics.beckmann import d_beckmann_slope
@@ -166,9 +167,9 @@ def test_a_roughness_read_as_a_colour():
 
 def test_the_maps_of_the_plate():
     s, t = np.meshgrid(np.linspace(0, 1, 301), np.linspace(0, 1, 301))
-    gilt, stored = map_pattern(s, t), stored_roughness(s, t)
+    gilt, stored = map_pattern(s, t), stored_roughness(NONE, s, t)
     assert 0.3 < gilt.mean() < 0.6 and gilt.min() == 0 and gilt.max() == 1
     assert 0.15 < stored.min() < 0.2 and 0.55 < stored.max() < 0.65
-    assert np.all(roughness_as_srgb(s, t) < stored)
-    here = 0.4, 0.6
+    assert np.all(roughness_as_srgb(NONE, s, t) < stored)
+    here = NONE, 0.4, 0.6
     assert peak_gain_at(*here) == pytest.approx((stored_roughness(*here) / roughness_as_srgb(*here)) ** 2, rel=1e-12)

@@ -8,13 +8,11 @@ import re
 import numpy as np
 
 from app import shader
-from app.badges import Badge, samples
+from app.badges import SAME_FLOAT32, Badge, samples
 from app.board.brdf_file import BrdfFile, Default
 from app.board.verdict import worst_of
 from app.hemisphere import NORMAL, frame
 from app.problem import Problem
-
-ROUNDING = 1e-4  # two ways around a float32 formula may differ by this much; a different formula differs by more
 
 
 def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
@@ -61,7 +59,7 @@ class BrdfModel:
         def reflect(n, l, v, channel):
             return np.where(above(l, v), self.rgb(n, l, v, values), 0)[..., channel]
 
-        return worst_of(reflect, 1 if self.is_grey(values) else 3, ROUNDING)
+        return worst_of(reflect, 1 if self.is_grey(values) else 3, SAME_FLOAT32)
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:
         """Whether its channels are the same, at the directions that badges look at."""

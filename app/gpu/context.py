@@ -10,6 +10,7 @@ import ctypes
 import os
 import re
 import sys
+import threading
 from functools import cache
 from typing import Any
 
@@ -110,6 +111,18 @@ def context() -> moderngl.Context:
                   "Run `halfway doctor`: it prints the command that mends it.") from None
 
 
+own = threading.local()
+
+
+def here() -> moderngl.Context:
+    """A context for this thread: the process's own, or, as a context is current in one thread only, one of its own."""
+    if threading.current_thread() is threading.main_thread():
+        return context()
+    if not hasattr(own, "context"):
+        own.context = context.__wrapped__()
+    return own.context
+
+
 def kept(ctx: moderngl.Context) -> dict:
     """What a context keeps for its lifetime: programs by their text, and a framebuffer of one pixel."""
     if ctx.extra is None:
@@ -125,10 +138,14 @@ def pixel(ctx: moderngl.Context) -> moderngl.Framebuffer:
 
 
 def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.Assembled | None = None,
-            varyings: tuple[str, ...] = ()) -> moderngl.Program:
-    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context."""
+            varyings: tuple[str, ...] = (), passing: dict | None = None) -> moderngl.Program:
+    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context.
+
+    Of a text that is being edited, the new ones are kept in `passing`, whose owner releases them."""
     programs = kept(ctx)
     key = vertex.text, fragment.text if fragment else "", varyings
+    if key not in programs and passing is not None:
+        programs = passing
     if key not in programs:
         try:
             programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,

@@ -13,9 +13,10 @@ from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source,
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.problem import Problem
-from app.shader import Assembled
+from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
+WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
@@ -60,20 +61,48 @@ class Stage:
         self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
         self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
+        self.passing: dict = {}  # programs of texts that are being edited
         with ctx:
             self.compile(None)
             self.place(triangles)
 
+    def rewrite(self, overrides: Overrides) -> None:
+        """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
+
+        All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
+        if overrides == self.source.overrides:
+            return
+        before, self.source = self.source, replace(self.source, overrides=overrides)
+        try:
+            with self.ctx:
+                made = self.compiled(None)
+        except Problem:
+            self.source = before
+            raise
+        with self.ctx:
+            for array in self.arrays.values():
+                array.release()
+            self.arrays, self.programs = {}, made
+            for key in [key for key, use in self.passing.items() if use not in made.values()]:
+                self.passing.pop(key).release()
+
     def compile(self, names: tuple[str, ...] | None) -> None:
+        self.programs |= self.compiled(names)
+
+    def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
+        found: dict[str, moderngl.Program] = {}
+        passing = self.passing if self.source.overrides else None
         for name, (vertex, fragment) in self.texts(names).items():
-            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY:
+            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY and passing is None:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
-                    self.programs[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment))
+                    found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
             else:
-                self.programs[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",))
+                found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
+        return found
 
     def texts(self, names: tuple[str, ...] | None) -> Programs:
-        return programs(self.scene, self.source.file, self.source.first, names=names)
+        source = self.source
+        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -85,6 +114,8 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
+                if any("texture_coordinates" in use for use in self.programs.values()):
+                    self.hold("texture_coordinates", WITHOUT)
                 if any("normals" in use for use in self.programs.values()):
                     self.hold("normals", corner_normals(triangles))
         for uniform, path in self.scene.measured:
@@ -103,7 +134,10 @@ class Stage:
             self.data[uniform] = data, data_texture(self.ctx, data)
 
     def take_tables(self, values: dict) -> None:
-        """The scene's tables among the values, by the names of their uniforms."""
+        """The scene's tables, and its mesh's own texture coordinates, by the names of their uniforms."""
+        own = values.get("texture_coordinates")
+        if own is not None and "texture_coordinates" in self.data:
+            self.hold("texture_coordinates", own)
         for table in self.scene.tables:
             if table.uniform in values:
                 self.hold(table.uniform, values[table.uniform])
@@ -296,6 +330,8 @@ class Stage:
         with self.ctx:
             self.release_geometry()
             self.release_targets()
+            for use in self.passing.values():
+                use.release()
 
 
 def program_of(surface: Surface) -> str:

@@ -42,6 +42,7 @@ class Source:
     scene: Scene
     file: str = "scene"
     first: int = 1
+    overrides: shader.Overrides = ()  # what is included in place of the course's texts
 
 
 def needed(scene: Scene) -> tuple[str, ...]:
@@ -54,10 +55,11 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
-             names: tuple[str, ...] | None = None) -> Programs:
+             names: tuple[str, ...] | None = None, overrides: shader.Overrides = ()) -> Programs:
     """name -> (vertex, fragment or None) for every program the scene needs (or the named ones)."""
     own = {"scene": shader.Source(scene.glsl, file, first)}
     own |= {one.name: shader.Source(one.text, one.file, one.first) for one in scene.texts}
+    own |= dict(overrides)
 
     def text(part: tuple[str, str]) -> shader.Assembled:
         before, after = part

@@ -51,7 +51,7 @@ class Property:
 
 @dataclass(frozen=True)
 class Picture:
-    """A sphere drawn by the task's function: n and v vary over the pixels, the other arguments are given."""
+    """A sphere drawn by the task's function: n varies over the pixels, l is the picture's, v looks along the axis."""
 
     size: int = 96
     weight: float = 2.0
@@ -244,7 +244,8 @@ def task_of(path: Path, place: str, table: object) -> Task:
         if word not in arguments:
             raise top.wrong("powers", word, f"an argument: {', '.join(arguments)}")
     task = Task(function, points, text, slide, arguments, tuple(regions), tuple(properties), picture, exercise, module,
-                top.take("width", int, "numbers of a value, 1 to 4", width_returned(function, module), 1, 4), width_of(top, arguments, widths),
+                top.take("width", int, "numbers of a value, 1 to 4", width_returned(function, module), 1, 4),
+                width_of(top, arguments, widths),
                 top.take("absolute", float, "0 or a size", 0.0, 0), powers,
                 top.take("runtime", float, "a share of the points, 0 to 0.5", 0.0, 0, 0.5),
                 top.take("gross", float, "a factor, 2 or more", 10.0, 2))
@@ -285,8 +286,8 @@ def signature(top: Reader, function: str, module: Path | None) -> tuple[str, ...
     found = tuple(inspect.signature(call).parameters)
     odd = [name for name in found if name in CONSTANT or (name in TABLE and TABLE[name].kind == "int")]
     if odd:
-        raise Usage(f"{top.file.name}: {top.place} has the argument {odd[0]}, which is no number that varies from point "
-                    "to point; ask for a function of numbers and vectors.")
+        raise Usage(f"{top.file.name}: {top.place} has the argument {odd[0]}, which is no number that varies from "
+                    "point to point; ask for a function of numbers and vectors.")
     return found
 
 
@@ -373,6 +374,6 @@ def picture_of(path: Path, place: str, table: object, arguments: tuple[str, ...]
     weight = top.take("weight", float, "a number above 0", 2.0, 1e-9)
     if not {"n", "v"} <= set(arguments):
         raise Usage(f"{path.name}: {place} needs a function of n and v; {', '.join(arguments)} are its arguments.")
-    given = domains_of(top, tuple(name for name in arguments if name not in ("n", "v")), free)
+    given = domains_of(top, tuple(name for name in arguments if name not in ("n", "v", "l")), free)
     top.done()
     return Picture(size, weight, given)

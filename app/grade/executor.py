@@ -59,7 +59,8 @@ class Waiting:
                 self.jobs.pop(future)
 
     def close(self) -> None:
-        self.pool.shutdown(wait=True, cancel_futures=True)
+        self.cancel()
+        self.pool.shutdown(wait=True)
 
 
 class LocalExecutor(Waiting):
@@ -79,7 +80,7 @@ class DaskExecutor(Waiting):
         except ImportError:
             raise Problem("--scheduler needs the extra cluster: pip install 'halfway[cluster]'.") from None
         try:
-            self.client = Client(address, timeout=10, set_as_default=False)
+            self.client = Client(address, timeout=5, set_as_default=False)
         except (OSError, ValueError, TimeoutError) as error:
             raise Problem(f"there is no Dask scheduler at {address} ({str(error)[:120]}).") from None
         workers = self.client.scheduler_info(n_workers=-1)["workers"].values()

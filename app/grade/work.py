@@ -17,7 +17,7 @@ from app.grade import assignment as assignments
 from app.grade import intake, level, questions
 from app.grade.judge import judge
 from app.grade.question import Question
-from app.grade.result import Result, line, number
+from app.grade.result import Result, line
 from app.grade.sandbox import Limits
 from app.grade.supervisor import answer
 from app.problem import Problem
@@ -82,7 +82,8 @@ def as_json(result: Result) -> dict:
     found = result.as_json()
     found["tests"] = [line(test) | {"figures": [
         {"label": figure.label, "png": png(figure.pixels)} for figure in test.figures]} for test in result.tests]
-    found["score"] = number(result.score)
+    if result.verdict == "ungraded":  # no number that somebody could take for a mark
+        found["score"] = found["visible_score"] = None
     return found
 
 

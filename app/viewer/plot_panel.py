@@ -1,9 +1,10 @@
 """The plot beside the scene: wished for when something changed, drawn by a process of its own, shown when it comes."""
 
 import moderngl
-import numpy as np
 from imgui_bundle import ImVec2, imgui
 
+from app import needs
+from app.edit import EDITED, marked
 from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
 from app.plots.wire import Spot
@@ -13,6 +14,7 @@ from app.viewer import glfw, style
 from app.viewer.study_panel import StudyPanel
 
 TURN = 0.5  # degrees a pixel
+COURSES = "of the course, not of your text"
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
         ImageSlice: "image", Study: "study"}
@@ -37,7 +39,9 @@ class PlotPanel:
         self.fault = ""
         self.spots: tuple[Spot, ...] = ()  # of the picture, that can be pointed at
         self.study = StudyPanel(app)
+        self.at = ImVec2(0, 0)  # where the picture is in the window
         self.shown = 0  # pictures so far
+        self.marks: tuple = (None, (), None)  # the plot, the user's texts, the plot with them marked
 
     @property
     def waiting(self) -> bool:
@@ -75,11 +79,12 @@ class PlotPanel:
         if self.app.frame > 1:  # the lesson is shown first
             self.ask(values, size)
         self.take()
-        at = imgui.get_cursor_screen_pos()
+        self.at = at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
         current = self.of == self.app.session.current.id and self.showing is self.app.session.plot
         if self.texture is not None and current and not self.fault and not hidden:
             imgui.image(imgui.ImTextureRef(self.texture.glo), room)
+            self.whose(at, room, values)
         else:
             self.empty(at, room, hidden)
         imgui.set_cursor_screen_pos(at)
@@ -99,18 +104,26 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
+<<<<<<< HEAD
         triangles = values.get("triangles")
         shown = {k: v for k, v in values.items() if k != "triangles"}
         known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
         wanted = found.id, id(plot), known, size, theme.name, camera
+=======
+        triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
+        wanted = found.id, plot.title, needs.key(values, needs.plotted(plot)), size, theme.name, camera
+>>>>>>> integ
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
         if self.process is None:
             self.process = PlotProcess(on_picture=glfw.wake)
         self.fine, self.asked = rest, wanted
+        edits = shown.get(EDITED, ())
+        if self.marks[0] is not plot or self.marks[1] != edits:
+            self.marks = plot, edits, marked(plot, edits)
         ranges = {name: (spec.low, spec.high, spec.scale) for name, spec in found.values.items()}
-        self.process.request(plot, shown, ranges, camera, size, theme, triangles, fine=rest)
+        self.process.request(self.marks[2], shown, ranges, camera, size, theme, triangles, fine=rest)
 
     def take(self) -> None:
         """Show the picture that has come; say so when the process has died."""
@@ -130,9 +143,9 @@ class PlotPanel:
             self.texture = self.app.ctx.texture((width, height), 3, alignment=1)
         self.texture.write(picture.image.tobytes(), alignment=1)
         self.shown += 1
-        if picture.wish.plot is self.app.session.plot:
+        if self.marks[0] is self.app.session.plot and picture.wish.plot is self.marks[2]:
             self.spots = picture.spots
-            self.of, self.showing = self.app.session.current.id, picture.wish.plot
+            self.of, self.showing = self.app.session.current.id, self.marks[0]
 
     def empty(self, at: ImVec2, room: ImVec2, hidden: bool) -> None:
         """A plot on its way shows its axes; a dead or hidden one says so."""
@@ -147,6 +160,16 @@ class PlotPanel:
         left = 5 * unit if text == ON_ITS_WAY else unit  # right of the axis
         begin = ImVec2(at.x + left, at.y + 0.45 * room.y)
         draw.add_text(imgui.get_font(), unit, begin, quiet, text, room.x - left - unit)
+
+    def whose(self, at: ImVec2, room: ImVec2, values: dict) -> None:
+        """A plot in which nothing is made of the user's text says so."""
+        if EDITED in values and self.marks[2] == self.marks[0]:
+            unit, theme = imgui.get_font_size(), self.app.theme
+            begin = ImVec2(at.x + 0.5 * unit, at.y + room.y - 1.2 * unit)
+            ink, ground = style.u32(style.ink("quiet", theme)), style.u32(rgb(theme.background), 0.85)
+            imgui.get_window_draw_list().add_rect_filled(ImVec2(at.x, begin.y - 0.1 * unit),
+                                                         ImVec2(at.x + room.x, at.y + room.y), ground)
+            imgui.get_window_draw_list().add_text(begin, ink, COURSES)
 
     def hidden_words(self) -> str:
         told = self.app.session.answer.stage == "revealed"

@@ -102,6 +102,8 @@ def question(app, step: Step, theme: Theme) -> None:
         imgui.text_wrapped(session.verdict or "The truth:")
         imgui.pop_style_color()
         imgui.text_wrapped(ask.told)
+        if session.visit.running:
+            imgui.text_disabled("(told of the course's text, not of yours)")
         if imgui.button("Ask me again"):
             session.ask_again()
     imgui.end_child()

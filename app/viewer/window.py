@@ -17,7 +17,7 @@ from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.readouts import numbers
+from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
 from app.viewer import bar, break_panel, controls, glfw, numbers_panel, overlays, style, text_panel
@@ -25,6 +25,7 @@ from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
+from app.viewer.editor_panel import EditorPanel
 from app.viewer.keys import press
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
@@ -49,6 +50,7 @@ class Window:
         size: tuple[int, int] = (1280, 720),
         folder: Path = LESSONS,
         ies: str | None = None,
+        maps: tuple[str, ...] = (),
     ):
         self.progress = Progress()
         self.session = Session(start, self.progress, folder)
@@ -56,19 +58,22 @@ class Window:
         kept = self.progress.setting("theme", "dark")
         self.theme: Theme = THEMES[theme or (kept if kept in THEMES else "dark")]
         self.styled: tuple | None = None
-        self.show_welcome = not start and mesh is None and ies is None
+        self.show_welcome = not start and mesh is None and ies is None and not maps
         self.show_outline = self.show_help = self.show_notes = False
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
         self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
+        self.editor = EditorPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
+        self.measured: Known = {}  # of this step
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
+        self.own.take_maps(maps)
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
@@ -131,8 +136,10 @@ class Window:
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
+        if self.editor.is_open:
+            left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, self.text_column)
+        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -203,6 +210,8 @@ class Window:
             self.session.freeze(not self.session.frozen)
         elif key == "p":
             self.session.show_plot(self.session.visit.plot + 1)
+        elif key == "e":
+            self.editor.toggle()
         elif key == "?":
             self.show_help = not self.show_help
 
@@ -261,6 +270,8 @@ class Window:
         try:
             if target.startswith("?"):
                 self.session.apply(target)
+            elif target.startswith("code:"):
+                self.editor.open(target.removeprefix("code:"))
             elif target.startswith(("http://", "https://")):
                 webbrowser.open(target)
             else:
@@ -276,12 +287,14 @@ class Window:
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
         values = self.session.values
-        return {**values, **self.session.current.derived(values), **self.own.data}
+        return {**values, **self.session.current.derived(values), **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
-            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
+                self.measured.clear()
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)
             self.ctx.screen.use()
         return self.figures[1]
 

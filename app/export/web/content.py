@@ -1,7 +1,6 @@
 """What a step's page carries, as plain data: its scene as texts for WebGL2, its values, twins, plots and question."""
 
 import math
-from dataclasses import asdict
 
 import numpy as np
 
@@ -9,13 +8,14 @@ from app import meshes, tables
 from app.badges import SHORT, of_model, told
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.figures import plot
-from app.export.web.texts import Data, Twins, packed, scene
+from app.export.web.texts import Data, Twins, deflated, packed, scene
 from app.gpu.stage_text import COLOURS, look
-from app.lesson import Model
+from app.lesson import Model, Readout
 from app.mesh_edges import corner_normals, shared_corners
 from app.optics import arguments
 from app.prediction import truth_values
 from app.quantities import FROM_ANGLES, shown
+from app.readouts import ROUNDING, SUMS
 from app.spoken import said, words
 from app.state import defaults
 from app.theme import THEMES, Theme, colour, rgb
@@ -28,13 +28,20 @@ def content(found: LoadedStep) -> Data:
         "step": found.id, "title": step.title,
         "values": [value(spec) for spec in found.values.values()],
         "scene": scene(step.scene, found.file_name, found.glsl_line),
-        "readouts": [asdict(one) | {"term": twins.term(one.term)} for one in step.readouts],
+        "readouts": [readout(one, twins) for one in step.readouts],
         "plots": [plot(one, found, twins) for one in step.plots],
         "ask": question(found, twins),
         "badges": [badges(model, defaults(found)) for model in step.models],
         "themes": {name: themed(theme) for name, theme in THEMES.items()},
     }
     return data | {"twins": twins.found} | constants(found)
+
+
+def readout(one: Readout, twins: Twins) -> Data:
+    """`nothing`: of that size a signed sum is 0, but for rounding in float32."""
+    nothing = 8 * ROUNDING["float32"] * SUMS.get(one.term.function, 0.0)
+    return {"label": one.label, "term": twins.term(one.term), "role": one.role, "unit": one.unit,
+            "against": one.against, "absent": one.absent, "nothing": nothing}
 
 
 def value(spec: ValueSpec) -> Data:
@@ -102,10 +109,10 @@ def constants(found: LoadedStep) -> Data:
 
 
 def mesh(triangles: np.ndarray, normals: bool) -> Data:
-    """Corners and faces; with normals (16 bits a number) a corner counts once for each normal it has."""
+    """Corners and faces, deflated; with normals (16 bits a number) a corner counts once for each normal it has."""
     place = shared_corners(triangles).ravel()
     turned = np.round(corner_normals(triangles).reshape(-1, 3) * 32767).astype("i2")
     key = np.column_stack([place, turned]) if normals else place[:, None]
     _, first, faces = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    found = {"corners": packed(triangles.reshape(-1, 3)[first].astype("f4")), "faces": packed(faces.astype("u2"))}
-    return found | ({"normals": packed(turned[first])} if normals else {})
+    found = {"corners": deflated(triangles.reshape(-1, 3)[first].astype("f4")), "faces": deflated(faces.astype("u2"))}
+    return found | ({"normals": deflated(turned[first])} if normals else {})

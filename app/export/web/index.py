@@ -34,7 +34,8 @@ def page(done: list[LoadedStep], posters: bool) -> str:
 <body>
 <header><h1>Halfway</h1><p class="lead">The course in local shading that you can touch: {len(done)} steps, each a page
 of its own that needs no network.</p>
-<label class="search">Search <input id="search" type="search" autocomplete="off" placeholder="solid angle, Fresnel, lux …"></label>
+<label class="search">Search
+<input id="search" type="search" autocomplete="off" placeholder="solid angle, Fresnel, lux …"></label>
 <p id="hits" role="status"></p><nav aria-label="Chapters"><ol>{outline}</ol></nav></header>
 <main>{body}</main>
 <footer>{SLIDES}</footer>

@@ -79,12 +79,13 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
 </style>
 </head>
 <body>
-<header><p class="where">{escape(where)}</p><h1>{escape(step.title)}</h1><p class="idea">{escape(step.idea)}</p></header>
+<header><p class="where">{escape(where)}</p>
+<h1>{escape(step.title)}</h1><p class="idea">{escape(step.idea)}</p></header>
 <main>
 <section id="scene" aria-label="Scene">
 <div class="stage">
-<canvas id="picture" tabindex="0" role="img" aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}">
-</canvas>
+<canvas id="picture" tabindex="0" role="img"
+aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></canvas>
 <div id="words" class="words" aria-hidden="true"></div><div id="grips" aria-hidden="true"></div>
 {legend(content)}{still}
 <p class="lost-note">The picture was lost by the graphics driver and will be drawn again.</p>

@@ -248,8 +248,8 @@ def image_slice(terms: list[Term], several: bool, scaled: bool, models: tuple[Mo
     writer.includes += ["optics/spherical.glsl", "display/scale.glsl"]
     values = [scaled_call(writer, term, model, "l", scaled).replace("towards_v", "v").replace("towards_l", "d")
               for term, model in zip(terms, models, strict=True)]
-    values = [value.replace("(d.z)", "(d.z)") for value in values]
     writer.uniforms |= {"towards_l": "vec3", "towards_v": "vec3"}
+    below = [f"vec4(sqrt({d / 90!r}), 0.0, -0.05, 1.0)" for d in TICKS_H]
     if several:
         writer.uniforms["model"] = "int"
     body = f"""
@@ -279,11 +279,10 @@ vec3 mark_point(int mark, float t) {{
 }}
 
 vec4 probe(int i) {{
-{pick("i", [f"vec4(sqrt({d / 90!r}), 0.0, -0.05, 1.0)" for d in TICKS_H], "vec4(0.0)")[:-len("    return vec4(0.0);") - 1]}
-    return vec4(-0.06, 0.0, float(i - {len(TICKS_H)}) / {len(TICKS_D) - 1}.0, 1.0);
+{pick("i", below, "vec4(-0.06, 0.0, float(i - " + str(len(TICKS_H)) + ") / " + repr(len(TICKS_D) - 1.0) + ", 1.0)")}
 }}
 """
-    labels = [Label(f"{d}°", i) for i, d in enumerate(TICKS_H) if d not in (2,)]
+    labels = [Label(f"{d}°", i) for i, d in enumerate(TICKS_H) if d not in (2, 20)]
     labels += [Label(f"{d}°", len(TICKS_H) + i) for i, d in enumerate(TICKS_D)]
     return writer.scene(body, surfaces=(Surface("slice", (32, 32)),), labels=tuple(labels),
                         marks=(Mark("now", "exact", tip="dot", width=1.6),),

@@ -1,7 +1,9 @@
-"""GLSL and numbers as a page carries them: a scene's programs, the twins that are called, arrays as base64. Pure text."""
+"""GLSL and numbers as a page carries them: a scene's programs, the twins it calls, arrays as base64. Pure text."""
 
 import base64
+import zlib
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,7 @@ from app.lesson import Scene, Term
 from app.optics import arguments
 
 Data = dict[str, Any]
+CAREFUL = {"careful": shader.Source(Path(__file__).with_name("careful.glsl").read_text("utf-8"), "careful.glsl")}
 
 
 @dataclass
@@ -32,7 +35,7 @@ class Twins:
             return
         include, signature = find(function, None)
         source, _, fixed = point_program(signature, include, None)
-        text = shader.assemble(source, function, header=shader.WEB).text
+        text = shader.assemble(f'#include "careful"\n{source}', function, header=shader.WEB, overrides=CAREFUL).text
         self.found[function] = {"text": squeezed(text), "returns": signature.returns, "args": [
             {"name": arg.name, "type": arg.type, "fixed": arg in fixed} for arg in signature.args]}
 
@@ -61,3 +64,7 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
 
 def packed(numbers: np.ndarray) -> str:
     return base64.b64encode(np.ascontiguousarray(numbers).tobytes()).decode()
+
+
+def deflated(numbers: np.ndarray) -> str:
+    return base64.b64encode(zlib.compress(np.ascontiguousarray(numbers).tobytes(), 9)).decode()

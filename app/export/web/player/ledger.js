@@ -5,7 +5,7 @@ class LedgerPlot {
 
   draw(box, values) {
     const {plot, page} = this, columns = plot.columns.map(column => page.twins.all(column.map(({term}) => [term, values])));
-    box.replaceChildren(element("div", {class: "ledger"}, ...plot.columns.map((column, i) => element("ol", {}, ...column.flatMap((row, j) => {
+    box.replaceChildren(element("div", {class: "columns"}, ...plot.columns.map((column, i) => element("ol", {}, ...column.flatMap((row, j) => {
       const value = columns[i][j][0], before = j ? columns[i][j - 1][0] : 0, factor = value / before;
       const by = row.over ? `÷ ${three(1 / factor)} ${row.by}` : `× ${three(factor)} ${row.by}`;
       const step = element("span", {class: "factor"}, before && Number.isFinite(factor) ? `${by} ${row.how}` : row.how);

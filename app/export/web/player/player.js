@@ -123,7 +123,7 @@ class Page {
 
   tell() {
     const {readouts} = this.content, found = this.twins.all(readouts.map(({term}) => [term, this.values]));
-    const value = found.map(([x]) => x), exact = new Map(readouts.map(({label}, i) => [label, value[i]]));
+    const value = found.map(([x], i) => Math.abs(x) <= readouts[i].nothing ? 0 : x), exact = new Map(readouts.map(({label}, i) => [label, value[i]]));
     this.numbers = readouts.map(({label, unit, against, absent, role}, i) => ({
       label, role, unit, value: value[i], text: absent && Number.isNaN(value[i]) ? absent : written(value[i], unit),
       error: against ? errorWords(value[i], exact.get(against), unit) : ""}));
@@ -151,6 +151,7 @@ class Page {
     for (const one of document.querySelectorAll("img.still")) one.hidden = one !== still;
     $("plot-title").textContent = plot.title;
     $("plot").hidden = plot.kind === "still";
+    $("plot").className = plot.kind;
     const made = plot.kind === "still" ? null : this.plots[this.shown] ||= new KINDS[plot.kind](plot, this);
     const [legend, note] = made ? made.draw($("plot"), this.values, fine) : [[], plot.note];
     $("legend").replaceChildren(...legend.map(([text, colour, dash]) => {
@@ -362,17 +363,19 @@ class Page {
   }
 }
 
+const inflated = text => new Response(new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
+
 // A mesh's triangles from its corners, with their normals where the scene reads them; decoded once.
 function mesh(one) {
   if (!one.data) {
-    const corners = numbers(Float32Array, one.corners), faces = numbers(Uint16Array, one.faces);
+    const corners = new Float32Array(one.corners), faces = new Uint16Array(one.faces);
     const spread = from => {
       const found = new Float32Array(3 * faces.length);
       faces.forEach((corner, i) => found.set(from.subarray(3 * corner, 3 * corner + 3), 3 * i));
       return {triangles: found};
     };
     one.data = {triangles: spread(corners)};
-    if (one.normals) one.data.normals = spread(Float32Array.from(numbers(Int16Array, one.normals), x => x / 32767));
+    if (one.normals) one.data.normals = spread(Float32Array.from(new Int16Array(one.normals), x => x / 32767));
   }
   return one.data;
 }
@@ -407,9 +410,11 @@ function typeset() {
     katex.render(one.textContent, one, {displayMode: one.dataset.display === "yes", throwOnError: false, trust: ({command}) => command === "\\htmlClass", strict: false});
 }
 
-function begin() {
-  if ($("picture").getContext("webgl2", HOW)) window.halfway = new Page(JSON.parse($("content").textContent));
-  else document.documentElement.classList.add("still-only");
+async function begin() {
   addEventListener("load", () => setTimeout(typeset));
+  const content = JSON.parse($("content").textContent);
+  for (const one of content.meshes) for (const key of Object.keys(one)) one[key] = await inflated(one[key]);
+  if ($("picture").getContext("webgl2", HOW)) window.halfway = new Page(content);
+  else document.documentElement.classList.add("still-only");
 }
 begin();
