@@ -26,8 +26,10 @@ PLACES = {"moderngl": ("gpu/", "viewer/"), "imgui_bundle": ("viewer/",), "pyvist
 EXCEPTION = re.compile(r"^\s*(?:import|from)\s+(\w+).*# noqa: TID251 - \w+", re.M)
 LONGEST = {".py": 400, ".glsl": 320, ".vert": 80, ".frag": 80}  # lines; twins carry their formulas in docstrings
 # A part and what of app it must not reach for
+OTHERS = ("optics", "shader", "quantities", "gpu", "catalog", "viewer", "export", "plots", "session", "state", "meshes")
 FORBIDDEN = {
-    "problem.py": ("",), "paths.py": ("",), "vocabulary.py": ("",), "lesson.py": ("",),
+    "problem.py": ("",), "paths.py": ("",), "worded.py": ("",),
+    "classroom.py": ("lesson", *OTHERS), "lesson.py": OTHERS,
     "quantities.py": ("optics", "shader", "gpu", "catalog"),
     "optics/": ("lesson", "catalog", "shader", "gpu", "viewer", "export", "plots", "meshes"),
     "shader.py": ("gpu", "lesson", "catalog", "optics"),
@@ -74,7 +76,7 @@ def test_imports_run_one_way(part):
         for module in imports(path):
             for other in FORBIDDEN[part]:
                 reached = f"app.{other}".rstrip(".")
-                if other == "" and (module == "app" or module.startswith(("app.problem", "app.vocabulary"))):
+                if other == "" and (module == "app" or module.startswith(("app.problem", "app.worded"))):
                     continue  # anyone may speak of a problem, in words
                 assert module != reached and not module.startswith(f"{reached}."), f"{path}: {module}"
 

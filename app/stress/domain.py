@@ -15,7 +15,6 @@ from app.tables import built_in
 
 POINTS = 400
 DIRECTIONS = {"n", "l", "v", "h", "to_sun"}  # unit vectors
-    "ball_error": few_and_not_too_many,
 # Steps: a ray at the rim may fall on either side. How many rays are 1, of those that give not their number itself
 COUNTED = {"solid_angle_patch_counted": lambda a: a["samples"] / (4 * np.pi), "meets_patch": None,
            "groove_blocked": None, "groove_hidden_counted": lambda a: a["samples"],
@@ -253,6 +252,7 @@ def wider_than_a_step(a: dict, rng) -> dict:
 
 
 JOINT = {  # arguments that belong together
+    "ball_error": few_and_not_too_many,
     "d_bumps_counted": wider_than_a_step,
     "dg_at": mirrored,
     "dgf_at": mirrored_by_some,
