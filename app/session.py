@@ -11,12 +11,8 @@ from pathlib import Path
 from app import prediction
 from app.breaking import broken, values_of
 from app.catalog import BOARD, LoadedStep, chapters, step, steps
-<<<<<<< HEAD
-from app.lesson import Break, Number, Plot
-=======
 from app.edit import Function, among_values, functions, source_of
-from app.lesson import Number, Plot
->>>>>>> integ
+from app.lesson import Break, Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
 from app.problem import Problem, Usage, near
@@ -240,7 +236,6 @@ class Session:
         self.revision += done
         return done
 
-<<<<<<< HEAD
     # --- what one breaks ---------------------------------------------------------------------------------------------
     @property
     def broken(self) -> Break | None:
@@ -268,7 +263,6 @@ class Session:
             self.change(before, self.view)
             self.revision += 1
 
-=======
     # --- what one types ----------------------------------------------------------------------------------------------
     @property
     def functions(self) -> dict[str, Function]:
@@ -317,7 +311,6 @@ class Session:
     def bring_back(self, name: str) -> None:
         self.type(name, self.visit.aside.pop(name, self.text(name)))
 
->>>>>>> integ
     # --- what one guesses --------------------------------------------------------------------------------------------
     @property
     def answer(self) -> Answer:

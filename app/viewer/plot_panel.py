@@ -108,15 +108,8 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-<<<<<<< HEAD
-        triangles = values.get("triangles")
-        shown = {k: v for k, v in values.items() if k != "triangles"}
-        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, id(plot), known, size, theme.name, camera
-=======
         triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
-        wanted = found.id, plot.title, needs.key(values, needs.plotted(plot)), size, theme.name, camera
->>>>>>> integ
+        wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
