@@ -238,6 +238,7 @@ def test_the_result_is_strict_json():
     found = json.loads(text)
     assert found["max"] == 10 and found["schema"].startswith("halfway-result")
     worst = next(test["worst"] for test in found["tests"] if test["worst"])
+    assert all(test["worst"] is None for test in found["tests"] if test["visibility"] == "hidden"), "not sent back"
     assert worst["got"] == "nan" or worst["got"][0] == "nan"
     assert {"id", "group", "weight", "score", "max", "verdict", "visibility", "region", "points", "wrong", "worst",
             "message_key", "rationale", "help", "requires", "figures"} <= set(found["tests"][0])

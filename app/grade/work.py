@@ -19,6 +19,7 @@ from app.grade.judge import judge
 from app.grade.question import Question
 from app.grade.result import Result, line
 from app.grade.sandbox import Limits
+from app.grade.speed import solution_times
 from app.grade.supervisor import answer
 from app.problem import Problem
 
@@ -48,6 +49,13 @@ def asked(path: str, digest: str, seed: str) -> tuple[assignments.Assignment, li
     return found, questions.questions(found) + questions.questions(found, seed, hidden=True)
 
 
+@lru_cache(2)
+def times(path: str, digest: str, seed: str, level: str) -> dict[str, float]:
+    """How long the solutions take on this machine, where speed pays."""
+    found, all_of = asked(path, digest, seed)
+    return solution_times(found, all_of, Limits(cpu=max(1, round(found.seconds))), level)
+
+
 @lru_cache(1)
 def here(named: str) -> dict:
     return machine(named)
@@ -67,7 +75,8 @@ def grade(job: dict) -> dict:
             raise Problem("the submission is another one here than where the grading was started.")
         found, all_of = asked(job["assignment"], job["digest"], job["seed"])
         limits = Limits(cpu=max(1, round(found.seconds)))
-        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]))
+        slow = times(job["assignment"], job["digest"], job["seed"], job["level"])
+        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]), slow)
         body = as_json(result)
     except Exception as error:  # ours, whatever it is: the student loses nothing by it
         body = {"verdict": "ungraded", "score": None, "tests": [], "why": f"{type(error).__name__}: {error}"[:500]}
