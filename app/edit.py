@@ -14,10 +14,12 @@ from app.catalog import LoadedStep, terms
 from app.gpu.stage_text import Source, programs
 from app.lesson import Plot, Term
 from app.problem import Problem
+from app.prose import links
 from app.shader import WIDTH, Overrides, Signature
 
 EDITED = "edited"  # among a step's values: Overrides
 YOURS = "your "  # how a text is named to a person, before its function's name
+CODE = "code:"  # how a link of the prose leads to a function
 SCENE = "scene"  # the include of a scene's own text
 COURSE = ("optics/", "core/", "display/")  # of glsl/: formulas and their helpers; glsl/stage is machinery
 MESSAGE = re.compile(rf"^{YOURS}(\w+), line (\d+): (.*)$", re.M)
@@ -82,6 +84,12 @@ def alone(function: str) -> shader.Assembled:
     """A twin with all it calls."""
     include, _ = shader.catalogue()[function]
     return shader.assemble(f'#include "{include}"', function, entry=(function,))
+
+
+def spoken_of(found: LoadedStep) -> list[str]:
+    """The functions that the prose leads to, then those of the step's models."""
+    linked = [link.target.removeprefix(CODE) for link in links(found.step.prose) if link.target.startswith(CODE)]
+    return list(dict.fromkeys([*linked, *(model.term.function for model in found.step.models)]))
 
 
 # --- a text in the place of a function -------------------------------------------------------------------------------

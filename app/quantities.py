@@ -257,6 +257,8 @@ TABLE: dict[str, Quantity] = {
     "scene_linear": Quantity("x", "", 0.0, 16.0, 0.5, "linear number of a camera: 1 is just full", (0.0, 1e6)),
     "globe": Quantity("k", "", 0, 2, 0, "which of three lamps", kind="int"),
     "taken": Quantity("k", "", 0, 1, 0, "what a program takes for L_i: L, or I/r²", kind="int"),
+    "gain": Quantity("g", "", 0.01, 100.0, 12.566, "how many times more light", (1e-6, 1e6), "log"),
+    "mistake": Quantity("k", "", 0, 4, 0, "which one mistake a program makes", kind="int"),
     # a second renderer
     "base_colour": Quantity("c", "", 0.0, 1.0, 0.5, "one channel of glTF's base colour, linear"),
     "metallic": Quantity("k", "", 0.0, 1.0, 0.0, "1: a metal, its base colour is F0; 0: an insulator, F0 is 0.04"),

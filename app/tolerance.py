@@ -14,6 +14,7 @@ from app.optics import twin
 from app.optics.blinn_phong import _flux as _blinn_flux
 from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
+from app.optics.leave_out import _FLOOR
 from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
@@ -156,6 +157,18 @@ def _light_terms(light_shape, radiance, position, **panel):
     return np.choose(shape, [flat, np.zeros_like(flat), radiance * sphere, flat])
 
 
+def _point_error_terms(light_shape, light_height, panel_width, panel_tilt):
+    """A difference of two lights over the brightest place: as large as what is rounded in them."""
+    shape, height, width, tilt = (np.asarray(x)[..., None] for x in (light_shape, light_height, panel_width, panel_tilt))
+    light = {"light_shape": shape, "radiance": 1.0, "light_x": 0.0, "light_y": 0.0, "light_height": height,
+             "panel_width": width, "panel_depth": width, "panel_tilt": tilt, "position": _FLOOR}
+    value = twin("irradiance_light")(**light)
+    terms = value + moved("irradiance_light", light) + _light_terms(**{k: np.broadcast_to(v, value.shape)
+        if k not in ("position",) else v for k, v in light.items()})
+    brightest = np.max(value, -1)
+    return 2 * np.max(terms, -1) / np.where(brightest > 0, brightest, 1)
+
+
 def _spherical_rectangle_terms(**args):
     """1 - w^2 of a point far to the side: its terms, 1 and w^2, over what is left."""
     point = twin("spherical_rectangle_point")(**args)
@@ -287,6 +300,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_light": _light_terms,
+    "irradiance_light_64": partial(_shifted_terms, "irradiance_light_64"),
+    "point_light_error": _point_error_terms,
     "irradiance_outline": _panel_terms,
     "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (

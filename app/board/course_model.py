@@ -45,7 +45,8 @@ class CourseModel:
 
     def value(self, n, l, v, values: dict[str, Default] | None = None, channel: int = 0) -> np.ndarray:
         """float64 values in 1/sr at unit vectors (..., 3)."""
-        given = {p.name: p.default for p in self.parameters} | (values or {})
+        given: dict = {p.name: p.default for p in self.parameters} | (values or {})
+        given |= {p.name: round(given[p.name]) for p in self.parameters if p.whole}
         given |= {name: value for name, value in (("channel", channel), ("radiance", 1.0)) if name in
                   optics.arguments(self.function)}
         return np.asarray(optics.twin(self.function)(n=n, l=l, v=v, **given))

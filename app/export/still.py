@@ -29,6 +29,7 @@ from app.theme import THEMES, Theme, rgb
 
 Part = Literal["scene", "plot", "both"]
 PARTS: tuple[Part, ...] = ("scene", "plot", "both")
+MESH = "triangles", "texture_coordinates"  # what plots have no use for as values
 FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene fills, and what is done for that
 
 
@@ -106,8 +107,11 @@ def triangles(found: LoadedStep, values: dict, mesh: str | Path | None = None) -
     from app import meshes
 
     if mesh:
-        return {"triangles": meshes.load(mesh).triangles}
-    return {"triangles": meshes.built_in(scene.meshes[int(values.get("shape", 0))]).triangles}
+        own = meshes.load(mesh)
+        if any(table.map for table in scene.tables):
+            print(f"halfway: {own.name}: {own.note}.", file=sys.stderr)
+        return own.data
+    return meshes.built_in(scene.meshes[int(values.get("shape", 0))]).data
 
 
 def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple[int, int] = (1280, 720),
@@ -182,7 +186,7 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
     """A plot of the step, drawn by the plots' own process."""
     from app import plots
 
-    sliders = {name: value for name, value in values.items() if name != "triangles"}
+    sliders = {name: value for name, value in values.items() if name not in MESH}
     ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
     return Image.fromarray(plots.picture(found.step.plots[plot], sliders, size, theme, ranges,
                                          triangles=values.get("triangles")))

@@ -32,7 +32,10 @@ class Belongings:
     @property
     def data(self) -> dict[str, np.ndarray]:
         """What values carry beside the numbers: a mesh's triangles, a luminaire's table."""
-        return {**self.tables, **({} if self.triangles is None else {"triangles": self.triangles})}
+        if self.triangles is None:
+            return self.tables
+        own = self.mesh is not None and self.triangles is self.mesh.triangles
+        return {**self.tables, **(self.mesh.data if own and self.mesh else {"triangles": self.triangles})}
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:

@@ -48,6 +48,7 @@ def draw(app) -> None:
     if not large:
         question(app, step, theme)
         imgui.spacing()
+    app.lines.draw()
     if app.show_notes:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
     elif imgui.tree_node("Where this comes from"):
