@@ -121,6 +121,7 @@ def command(*words: str) -> str:
     (command("list"), set()),
     (command("list", "--json"), set()),
     (command("--version"), set()),
+    (command("homework", "list"), {"numpy"}),
     (command("inspect", "solid_angle/patch"), {"numpy"}),
     (command("inspect", "solid_angle/mesh", "--json"), {"numpy"}),
     (command("eval", "solid_angle_cone", "half_angle=30deg", "--backend", "python"), {"numpy"}),
@@ -130,7 +131,7 @@ def command(*words: str) -> str:
     ("import app.meshes\napp.meshes.built_in('knot')", {"numpy"}),
     ("import app.gpu.stage", {"numpy", "moderngl"}),
     (command("render", "solid_angle/cone", "-o", "FILE.png", "--size", "128x96"), {"numpy", "moderngl", "PIL"}),
-], ids=["list", "list --json", "--version", "inspect", "inspect a mesh", "eval", "session", "state",
+], ids=["list", "list --json", "--version", "homework list", "inspect", "inspect a mesh", "eval", "session", "state",
         "doctor, progress, search", "a built-in mesh", "the stage", "a still"])
 def test_a_job_loads_only_what_it_needs(tmp_path, code, allowed):
     assert loaded(code.replace("FILE.png", str(tmp_path / "a.png"))) <= allowed
