@@ -593,9 +593,9 @@ $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)
 Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
 [n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
 
-$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ [asks
-only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or object to
-pick it, or move the $\colour{l}{\text{light}}$: a
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$
+[asks only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or
+object to pick it, or move the $\colour{l}{\text{light}}$: a
 [low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
 drop a mesh of your own on the window.
 """,
