@@ -155,6 +155,18 @@ def test_our_own_failure_is_never_a_zero(tmp_path, assignment, handed_in, monkey
     assert rows(tmp_path / "r")["ann"] == ["4", "4", "pass"]
 
 
+def test_speed_is_measured_against_the_solution(tmp_path, assignment, handed_in):
+    assignment.write_text(SMALL.replace("points = 4", "points = 4\nruntime = 0.5"))
+    slow = handed_in / "slow"
+    slow.mkdir()
+    (slow / "submission.py").write_text("import time\n" + RIGHT.replace(
+        "    x =", "    begun = time.process_time()\n    while time.process_time() < begun + 0.1: pass\n    x ="))
+    assert grade(assignment, slow, "-o", tmp_path / "slow", "--seed", "s") == 0
+    assert grade(assignment, handed_in / "ann", "-o", tmp_path / "ann", "--seed", "s") == 0
+    assert rows(tmp_path / "ann")["ann"] == ["4", "4", "pass"]
+    assert rows(tmp_path / "slow")["slow"] == ["2", "4", "partial"]
+
+
 def test_below_l2_it_must_be_said_by_name(tmp_path, assignment, handed_in, monkeypatch, capsys):
     monkeypatch.setattr(level, "found", lambda: Level("L1", why="L2: there is no Landlock"))
     assert grade(assignment, handed_in, "-o", tmp_path / "r") == 1

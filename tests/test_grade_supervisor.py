@@ -10,7 +10,7 @@ import numpy as np
 import psutil
 import pytest
 
-from app.grade import conversation, sandbox
+from app.grade import conversation, level, sandbox
 from app.grade.intake import Submission
 from app.grade.question import Question
 from app.grade.sandbox import LAYERS, Limits
@@ -105,6 +105,7 @@ def test_files_that_are_absent_empty_or_refused():
 
 
 def test_a_sandbox_that_cannot_be_set_up_is_our_failure(monkeypatch):
+    level.found()
     monkeypatch.setattr(sandbox, "package_files", lambda name: (f"/nowhere/{name}",))
     replies = python("def good(x): return x\n", "good")
     assert replies["good"].verdict == "ungraded"
