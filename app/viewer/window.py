@@ -21,7 +21,7 @@ from app.progress import Progress
 from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import bar, break_panel, controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, break_panel, controls, glfw, leave_panel, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
@@ -198,6 +198,7 @@ class Window:
                 self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
+            leave_panel.draw(self)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
 
