@@ -255,7 +255,7 @@ def test_a_pointer_finds_the_nearest_point_that_can_be_set():
 def test_the_command_writes_a_page_that_needs_no_network(tmp_path, capsys):
     assert main(["study", "microfacets/distribution", "--budget", "4", "--json", "-o", str(tmp_path / "out")]) == 0
     data = json.loads(capsys.readouterr().out)
-    assert [one["case"] for one in data["studies"]] == ["m = 1", "m = 0.1", "m = 0.01", "m = 0.0001"]
+    assert [one["case"] for one in data["studies"]] == ["m = 1", "m = 0.1", "m = 0.01", "m = 10⁻⁴"]
     assert {"processor", "numpy", "scipy", "python"} <= set(data["machine"])
     for one in data["studies"]:
         for method in one["methods"]:
@@ -266,6 +266,16 @@ def test_the_command_writes_a_page_that_needs_no_network(tmp_path, capsys):
     page = (tmp_path / "out" / "index.html").read_text("utf-8")
     assert not re.search(r"(src|href|srcset)=\"(?!data:|#)", page) and "converged, but 100 % off" in page
     assert len(list((tmp_path / "out").glob("*.png"))) == 8 and (tmp_path / "out" / "study.json").exists()
+
+
+def test_what_the_budget_had_no_time_for_is_told(monkeypatch, capsys):
+    now = iter([0.0, 0.5, *np.arange(99, 999.0)])  # the command begins, one study, and the time is up
+    monkeypatch.setattr("app.study.command.perf_counter", lambda: float(next(now)))
+    assert main(["study", "solid_angle/patch", "--budget", "9"]) == 1
+    out, err = capsys.readouterr()
+    assert "w = 1.2 m" in out and "w = 0.2 m" not in out
+    assert err.strip() == ("halfway: the budget was up before 2 of 3 studies began, from solid_angle/patch, w = 0.2 m "
+                           "on; name topics, or give more with --budget.")
 
 
 def test_an_interruption_keeps_what_is_done(tmp_path, monkeypatch, capsys):

@@ -133,6 +133,25 @@ def standalone(text: str, function: str, helpers: bool = False) -> str:
     return shader.assemble(text, "the text", header=(), entry=entry).text.strip() + "\n"
 
 
+def inlined(text: str) -> str:
+    """GLSL with what it includes put in where the #include stood, on that one line: all others keep their numbers."""
+    if "#include" not in text:
+        return text
+    found = [""] * len(text.split("\n"))
+    foreign: list[str] = []
+    last = 0
+    lines = shader.resolve(text, "yours")
+    code = shader.strip_comments([line.text for line in lines])
+    for line, bare in zip(lines, code, strict=True):
+        if line.file != "yours":
+            foreign.append(bare.strip())
+            continue
+        if foreign:
+            found[last], foreign = " ".join(part for part in foreign if part), []
+        found[line.number - 1], last = line.text, line.number
+    return "\n".join(found)
+
+
 @cache
 def mutants() -> tuple[Mutant, ...]:
     """Every catalogued mutant of every language, its text made from the solution's."""

@@ -111,7 +111,13 @@ def measured(chosen: list[Job], end: float, report: "Report | None" = None
             for i, job in enumerate(chosen):
                 words = ", ".join(filter(None, (job.found.id, job.case, "" if job.where == "CPU" else job.where)))
                 bar.update(task, description=words)
-                share = max((end - perf_counter()) / (len(chosen) - i) - drawing, 0.0)
+                left = end - perf_counter()
+                if i and left <= drawing:
+                    skipped = len(chosen) - i
+                    problems.append(Problem(f"the budget was up before {skipped} of {len(chosen)} studies began, from "
+                                            f"{words} on; name topics, or give more with --budget."))
+                    break
+                share = max(left / (len(chosen) - i) - drawing, 0.0)
                 try:
                     record = record_of(job, share)
                 except Problem as problem:

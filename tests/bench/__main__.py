@@ -63,6 +63,12 @@ def digits():
     return measure()
 
 
+def studies():
+    from tests.bench.studies import studies as measure
+
+    return measure()
+
+
 def window():
     from tests.bench.window import window as measure
 
@@ -75,7 +81,8 @@ def grading():
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits, grading)}
+GROUPS = {measure.__name__: measure
+          for measure in (commands, frames, plots, window, points, badges, digits, studies, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())
