@@ -154,6 +154,8 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
                         help="values of the step, angles in degrees")
     parser.add_argument("--view", metavar="PART", help="scene, plot or both")
     parser.add_argument("--plot", metavar="N", help="which plot of a step that has several, from 1, or its title")
+    parser.add_argument("--broken", metavar="N", nargs="?", const="1",
+                        help="with naive forms in place of stable ones, as its button N (1) breaks it")
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")

@@ -130,9 +130,7 @@ def chapters(folder: Path = LESSONS) -> tuple[Loaded, ...]:
 @cache
 def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
     """Every step of the course, in order."""
-    declared = studies(folder)
-    return tuple(LoadedStep(found, replace(step, study=declared.get(f"{found.id}/{step.name}", step.study)), i)
-                 for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
+    return tuple(LoadedStep(found, step, i) for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
 
 
 @cache
@@ -186,7 +184,9 @@ def load(file: Path) -> Loaded:
     chapter = getattr(module, "CHAPTER", None)
     if not isinstance(chapter, Chapter):
         return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
-    return Loaded(id, number, file, intro, chapter)
+    declared = studies(file.parent)
+    studied = tuple(replace(step, study=declared.get(f"{id}/{step.name}")) for step in chapter.steps)
+    return Loaded(id, number, file, intro, replace(chapter, steps=studied))
 
 
 def module_of(file: Path) -> ModuleType:

@@ -5,6 +5,7 @@ counts the ones that send light to the eye and those that stand in each other's 
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -966,7 +967,7 @@ steradian, and the integral diverges; ask how one would notice in a picture. 6 m
     honesty="Disks and curves are the card's own float32, n = +z; with any other n all forms also carry the rounding of n and h "
             "themselves, 1e-4 of D at m = 0.0001. 'Exact' is float64 of the stable form. Exposure: each at its peak.",
     values=(Value("m", 0.0007, low=1e-5, high=1.0), Value("slope_ratio", 0.8, low=-3.0, high=3.0)),
-    minutes=6,
+    minutes=6, breaks=(Break("1 − cos² a at m = 0.0005", {"d_beckmann": "d_beckmann_naive", "d_beside": "d_beside_naive"}, {"m": 0.0005, "slope_ratio": 0.8}, "Between the cosines of this highlight and 1 float32 has a handful of numbers, so the highlight is a staircase, nearly twice too bright. The cross product knows the angle itself: nothing need be subtracted."),),
 )
 
 BECKMANN_ONLY = Step(

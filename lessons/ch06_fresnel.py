@@ -5,6 +5,7 @@ between the light and the facet's own normal, which is the halfway vector h. Thi
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -429,6 +430,8 @@ in binoculars live from this; paint and skin keep light the same way. 5 minutes.
     values=(Value("theta", 30.0, low=0.0, high=64.0), Value("eta", 1 / 1.5, low=0.4, high=0.95)),
     minutes=5,
     beyond=True,
+    breaks=(Break("Snell's root in total reflection", {"f_dielectric": "f_dielectric_naive"}, {"theta": 60.0, "eta": 0.667},
+                  "Outside there is no angle any more, and the textbook form takes the root of a negative number. It is not a number, and neither is anything it touches. Ask before the root: total reflection is a case of its own, F = 1."),),
 )
 
 # A row of the tables as a polished ball: a metal, or an insulator with a colour of its own under the clear surface

@@ -54,7 +54,8 @@ def test_what_may_be_edited_stands_in_its_file(found):
 
 @pytest.mark.parametrize("found", [s for s in steps() if "(code:" in s.step.prose], ids=lambda found: found.id)
 def test_a_link_leads_to_a_function_that_the_step_compiles(found):
-    named = [link.target.removeprefix(edit.CODE) for link in links(found.step.prose) if link.target.startswith(edit.CODE)]
+    targets = [link.target for link in links(found.step.prose) if link.target.startswith(edit.CODE)]
+    named = [target.removeprefix(edit.CODE) for target in targets]
     assert named and set(named) <= set(edit.functions(found))
 
 
@@ -204,3 +205,45 @@ def test_what_is_no_reflectance_is_kept_as_it_is():
         opened("mine")
     with pytest.raises(Usage, match="is no name"):
         own_models.save("../x", found, {"is_lit": text}, values)
+
+
+# --- the board -------------------------------------------------------------------------------------------------------
+FILE = """analytic
+::begin parameters
+float k 0 1 0.5
+::end parameters
+::begin shader
+float half_of(float x) {
+    return 0.5 * x;
+}
+
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    return vec3(half_of(k));
+}
+::end shader
+"""
+
+
+def test_models_of_the_board_follow_and_are_saved(tmp_path):
+    file = tmp_path / "plain.brdf"
+    file.write_text(FILE, "utf-8")
+    found = step(f"board/cook_torrance+{file}")
+    known, source, plain = edit.functions(found), edit.source_of(found), defaults(found)
+    mine = next(name for name in known if name.endswith("half_of"))
+    texts = {mine: known[mine].text.replace("0.5", "0.25"),
+             "d_beckmann": known["d_beckmann"].text.replace(*TWICE)}
+    plain |= found.derived(plain)
+    values = {**plain, **edit.among_values(texts, known, source)}
+    (rough, of_file), (_, before) = numbers(found.step, values), numbers(found.step, plain)
+    assert (rough.whose, of_file.whose) == ("yours", "yours")
+    assert math.isclose(of_file.value, 0.5 * before.value, rel_tol=1e-6)
+    wider = dict(plain, **{name: (2 * value[0], *value[1:]) for name, value in plain.items()
+                           if name.endswith("values") and len(value) == 2})
+    assert math.isclose(rough.value, numbers(found.step, wider)[0].value, rel_tol=1e-5)
+    judged = [badges.of_model(found.step.models[1], v)["energy"].worst for v in (values, plain)]
+    assert math.isclose(judged[0], 0.5 * judged[1], rel_tol=1e-3)
+    own_models.save("mine", found, {mine: texts[mine]}, values)
+    saved = opened("mine")
+    assert "float half_of(float x) {\n    return 0.25 * x;" in own_models.path_of("mine").read_text("utf-8")
+    n = np.array([0.0, 0.0, 1.0])
+    np.testing.assert_allclose(saved.rgb(n, n, n), [0.125] * 3, rtol=1e-6)

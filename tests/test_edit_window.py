@@ -27,12 +27,12 @@ def test_a_formula_is_edited_broken_restored_and_saved():
             on_gl(engine, window, lambda: window.editor.widget.widget.set_cursor(edit.TextEditor.DocPos(line, index)))
             frames(engine, 2)
 
-        course = picture()
-        number = window.numbers()[0].value if False else on_gl(engine, window, window.numbers)[0].value
         window.open_link("code:d_beckmann")
         until(engine, window, lambda: window.editor.widget is not None)
         frames(engine, 5)
+        course, number = picture(), on_gl(engine, window, window.numbers)[0].value
         text = window.editor.widget.text
+        assert not window.session.visit.texts  # to open it is no edit
         line = next(i for i, part in enumerate(text.split("\n")) if "return" in part)
         cursor(line, text.split("\n")[line].index(", m)") + 2)
         engine.key_chars("2.0 * ")

@@ -11,6 +11,7 @@ from PIL import Image
 
 from app import VERSION
 from app.badges import of_model
+from app.breaking import broken, values_of
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
@@ -41,6 +42,8 @@ def run(options) -> int:
     state = parse(options.step)
     found = step(state.step)
     values = dict(state.values)
+    if getattr(options, "broken", None):
+        found, values = break_it(found, values, options.broken)
     for text in options.set or ():
         values |= parse_set(text, found)
     values |= data(found, values, options.mesh, getattr(options, "ies", None), getattr(options, "map", None))
@@ -48,6 +51,16 @@ def run(options) -> int:
     picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
+
+
+def break_it(found: LoadedStep, values: dict, text: str) -> tuple[LoadedStep, dict]:
+    """The step with naive forms, and the values at which they fail: its break number `text`, from 1."""
+    labels = [one.label for one in found.step.breaks]
+    if not text.isdecimal() or not 1 <= int(text) <= len(labels):
+        raise Usage(f"--broken {text}: {found.id} has " + (", ".join(f"{i} ({name})" for i, name in enumerate(labels, 1))
+                                                           or "nothing to break") + ".")
+    one = found.step.breaks[int(text) - 1]
+    return broken(found, int(text) - 1), values | values_of(found, one)
 
 
 def known(option: str, name: str, names: tuple[str, ...]) -> str:

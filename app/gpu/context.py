@@ -115,18 +115,6 @@ def of_thread(thread: int) -> moderngl.Context:
                   "Run `halfway doctor`: it prints the command that mends it.") from None
 
 
-own = threading.local()
-
-
-def here() -> moderngl.Context:
-    """A context for this thread: the process's own, or, as a context is current in one thread only, one of its own."""
-    if threading.current_thread() is threading.main_thread():
-        return context()
-    if not hasattr(own, "context"):
-        own.context = context.__wrapped__()
-    return own.context
-
-
 def kept(ctx: moderngl.Context) -> dict:
     """What a context keeps for its lifetime: programs by their text, and a framebuffer of one pixel."""
     if ctx.extra is None:

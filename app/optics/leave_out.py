@@ -56,7 +56,8 @@ def point_light_error(light_shape, light_height, panel_width, panel_tilt):
     light_shape (...) int, light_height, panel_width (...) m, panel_tilt (...) rad. Returns (...); 0 where no light
     comes. Errors: 21 places, so a place between them may be off a little more. Source: measured here.
     """
-    shape, height, width, tilt = (np.asarray(x)[..., None] for x in (light_shape, light_height, panel_width, panel_tilt))
+    shape, height, width, tilt = (np.asarray(x)[..., None]
+                                  for x in (light_shape, light_height, panel_width, panel_tilt))
     light = (shape, 1.0, 0.0, 0.0, height, width, width, tilt, _FLOOR)
     exact = irradiance_light(*light)
     brightest = np.max(exact, -1)

@@ -109,7 +109,7 @@ class PlotPanel:
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
         triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
-        wanted = found.id, plot.title, needs.key(values, needs.plotted(plot)), size, theme.name, camera
+        wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return

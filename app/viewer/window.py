@@ -21,7 +21,7 @@ from app.progress import Progress
 from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, break_panel, controls, glfw, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
@@ -214,6 +214,8 @@ class Window:
             self.message = f"copied: {self.session.state}"
         elif key == "t":
             self.set_theme(THEME_ORDER[(THEME_ORDER.index(self.theme.name) + 1) % len(THEME_ORDER)])
+        elif key == "b":
+            break_panel.press(self)
         elif key == "f":
             self.session.freeze(not self.session.frozen)
         elif key == "p":
