@@ -21,7 +21,8 @@ from app.study.names import terms as terms_of
 
 BOARD = "board/"  # steps that are made when they are asked for: see app/board/board_step.py
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
-DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+# what belongs to a mesh, and what a sheet sweeps: arguments that are no values
+DATA = frozenset({"triangles", "texture_coordinates", "s", "t"})
 SWEPT = frozenset({"s", "t"})
 MODELLED = frozenset({"n", "l", "v", "channel", "radiance"})  # what a model's lobe and badges sweep
 

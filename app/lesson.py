@@ -8,7 +8,10 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from app.vocabulary import Colour, Number, Worded
+from app.classroom import Break, Check, Choice, Exercise, Prediction  # noqa: F401  lessons import all from here
+from app.worded import Number, Term, Worded, vocabulary  # noqa: F401
+
+Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
 
 
 @dataclass(frozen=True)
@@ -25,14 +28,6 @@ class Value(Worded):
     scale: Literal["", "linear", "log"] = ""  # "": as in quantities
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # an integer value whose numbers have names
-
-
-@dataclass(frozen=True)
-class Term:
-    """A twin by its name; an argument not named in `args` is the value of its own name, text names another value."""
-
-    function: str
-    args: dict[str, str | Number] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -316,30 +311,6 @@ Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study
 
 
 @dataclass(frozen=True)
-class Choice:
-    """An answer to choose; it is right when the truth lies in [low, high]."""
-
-    text: str
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Prediction(Worded):
-    """Asked before it is told: a guess on a slider from `low` to `high`, or one of `choices`; the truth is a twin."""
-
-    question: str
-    truth: Term
-    unit: str
-    told: str  # what the reveal says
-    low: float = 0.0
-    high: float = 1.0
-    scale: Literal["linear", "log"] = "linear"
-    choices: tuple[Choice, ...] = ()
-    sets: dict[str, Number] = field(default_factory=dict)  # the state in which the truth is shown, and computed
-
-
-@dataclass(frozen=True)
 class Step:
     name: str
     title: str
@@ -358,6 +329,7 @@ class Step:
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
     study: Study | None = None  # of lessons/studies.py
+    breaks: tuple[Break, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
@@ -366,28 +338,6 @@ class Step:
         given += (self.study,) if self.study else ()
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
-
-
-@dataclass(frozen=True)
-class Check:
-    """Points at which a student's function is compared with the twin: argument name to numbers."""
-
-    args: dict[str, tuple]
-    words: str
-    hidden: bool = False
-
-
-@dataclass(frozen=True)
-class Exercise:
-    """Write this twin. The stub must fail and the solution must pass in each language."""
-
-    name: str
-    function: str
-    task: str
-    slide: str
-    stubs: dict[str, str]  # "python" and "glsl"
-    solutions: dict[str, str]
-    checks: tuple[Check, ...]
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from app.optics import twin
 from app.optics.blinn_phong import _flux as _blinn_flux
 from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
+from app.optics.leave_out import _FLOOR
 from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
@@ -156,6 +157,19 @@ def _light_terms(light_shape, radiance, position, **panel):
     return np.choose(shape, [flat, np.zeros_like(flat), radiance * sphere, flat])
 
 
+def _point_error_terms(light_shape, light_height, panel_width, panel_tilt):
+    """A difference of two lights over the brightest place: as large as what is rounded in them."""
+    shape, height, width, tilt = (np.repeat(np.asarray(x)[..., None], len(_FLOOR), -1)
+                                  for x in (light_shape, light_height, panel_width, panel_tilt))
+    zero = np.zeros(width.shape)
+    light = {"light_shape": shape, "radiance": 1.0, "light_x": zero, "light_y": zero, "light_height": height,
+             "panel_width": width, "panel_depth": width, "panel_tilt": tilt, "position": _FLOOR}
+    value = twin("irradiance_light")(**light)
+    terms = value + moved("irradiance_light", light) + _light_terms(**light)
+    brightest = np.max(value, -1)
+    return 2 * np.max(terms, -1) / np.where(brightest > 0, brightest, 1)
+
+
 def _spherical_rectangle_terms(**args):
     """1 - w^2 of a point far to the side: its terms, 1 and w^2, over what is left."""
     point = twin("spherical_rectangle_point")(**args)
@@ -272,9 +286,16 @@ def _stored_terms(power, function, roughness_map, map_s, map_t):
     return power * 3.4 * twin(function)(roughness_map, map_s, map_t)
 
 
+def _ball_terms(bumps, bump_slope, m, samples, filtering):
+    """Differences of shares of white, each of them 1 at most; and a wave's turns, 0.63 bumps of them, are rounded: that
+    moves a slope of twice bump_slope by 2 pi bump_slope a turn, and D by twice the slope over m^2."""
+    return 1 + 0.37 * 2 * (2 * bump_slope) * (2 * np.pi * bump_slope) * 0.63 * bumps / m**2
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "aliasing_error": _bump_terms,
+    "ball_error": _ball_terms,
     # a power of 2.4 is rounded before it divides: its condition number cancels in the quotient
     "srgb_gap": lambda encoded: 3.4 * twin("srgb_gap")(encoded),
     "peak_gain": lambda encoded: 6.8 * twin("peak_gain")(encoded),
@@ -287,6 +308,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_light": _light_terms,
+    "irradiance_light_64": partial(_shifted_terms, "irradiance_light_64"),
+    "point_light_error": _point_error_terms,
     "irradiance_outline": _panel_terms,
     "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (

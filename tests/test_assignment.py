@@ -43,7 +43,7 @@ def test_a_lecturers_own_file(tmp_path):
 @pytest.mark.parametrize(("old", "new", "sentence"), [
     ('title = "Mine"', "", "mine.toml: the file has no title; right is a line of words."),
     ('"fresnel"', '"frensel"', "mine.toml: chapter is 'frensel'; there is no such chapter. Did you mean fresnel?"),
-    ('"f_schlick"', '"f_shlick"', "mine.toml: task 1 (f_shlick) names no function of the course. Did you mean f_schlick"),
+    ('"f_schlick"', '"f_shlick"', "task 1 (f_shlick) names no function of the course. Did you mean f_schlick"),
     ("points = 2", "points = -2", "mine.toml: task 1 (f_schlick) points is -2; right is a number above 0."),
     ("points = 2", "", "mine.toml: task 1 (f_schlick) has no points; right is a number above 0."),
     ("points = 2", "points = 2\npiont = 3", "task 1 (f_schlick) has the key piont, which says nothing here"),
@@ -60,7 +60,7 @@ def test_a_lecturers_own_file(tmp_path):
     ("2026-12-01T23:59:00+01:00", "2026-12-01T23:59:00", "right is a time with its zone"),
     ("per_day = 0.1", "per_day = 10", "mine.toml: late per_day is 10; right is a share of the points, 0 to 1."),
     ('title = "Mine"', 'title = "Mine', "mine.toml is no TOML"),
-    ('function = "f_schlick"', 'exercise = "fresnel/shlick"', "there is no such exercise. Did you mean fresnel/schlick?"),
+    ('function = "f_schlick"', 'exercise = "fresnel/shlick"', "no such exercise. Did you mean fresnel/schlick?"),
     ('function = "f_schlick"', 'function = "f_schlick"\nreference = "no.py"', "right is a Python file beside this one"),
     ('function = "f_schlick"', 'function = "ies_candela"', "is no number that varies from point to point"),
     ("chapter =", 'languages = ["rust"]\nchapter =', 'right is a list of "python" and "glsl".'),
@@ -73,7 +73,7 @@ def test_what_is_wrong_is_told(tmp_path, old, new, sentence):
 
 def test_a_reference_that_does_not_run_is_told(tmp_path):
     (tmp_path / "mine.py").write_text("import nothing_like_it\n", "utf-8")
-    with pytest.raises(Exception, match="mine.py does not run: ModuleNotFoundError"):
+    with pytest.raises(Exception, match=r"mine\.py does not run: ModuleNotFoundError"):
         load(written(tmp_path, 'function = "f_schlick"', 'function = "f_mine"\nreference = "mine.py"'))
 
 
@@ -85,7 +85,7 @@ def test_there_is_one_a_chapter_and_a_project():
 
 
 def test_an_unknown_name():
-    with pytest.raises(Usage, match="there is no assignment fresnell. Did you mean fresnel?"):
+    with pytest.raises(Usage, match=r"there is no assignment fresnell\. Did you mean fresnel\?"):
         load("fresnell")
 
 

@@ -110,6 +110,22 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_bytes(tmp_path, assignment,
     assert len(lines) == len(set(lines)) == len(set(CLASS.values())) + 1  # nothing that was finished was done again
 
 
+def test_a_stopped_run_keeps_what_is_done(tmp_path, assignment, handed_in):
+    words = [sys.executable, "-m", "app", "grade", str(assignment), str(handed_in), "-o", str(tmp_path / "r"),
+             "--jobs", "1", "--seed", "s"]
+    run = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    journal = tmp_path / "r" / "store" / "journal.jsonl"
+    while not (journal.exists() and journal.read_text().count("\n")):
+        assert run.poll() is None, run.stderr.read()
+        time.sleep(0.01)
+    run.send_signal(signal.SIGINT)
+    _, said = run.communicate(timeout=60)
+    assert run.returncode == 130 and "--resume goes on" in said and "Traceback" not in said
+    marks = rows(tmp_path / "r")
+    assert len(marks) == len(CLASS) + 1 and 1 <= sum(row[2] != "ungraded" for row in marks.values()) < len(marks)
+    assert all((row[0] == "") == (row[2] == "ungraded") for row in marks.values())
+
+
 def test_results_are_not_mixed(tmp_path, assignment, handed_in, capsys):
     (tmp_path / "r" / "store").mkdir(parents=True)
     assert grade(assignment, handed_in, "-o", tmp_path / "r") == 2
@@ -137,6 +153,18 @@ def test_our_own_failure_is_never_a_zero(tmp_path, assignment, handed_in, monkey
     monkeypatch.setattr(conversation.sandbox, "start", working)
     assert grade(assignment, handed_in, "-o", tmp_path / "r", "--resume") == 0
     assert rows(tmp_path / "r")["ann"] == ["4", "4", "pass"]
+
+
+def test_speed_is_measured_against_the_solution(tmp_path, assignment, handed_in):
+    assignment.write_text(SMALL.replace("points = 4", "points = 4\nruntime = 0.5"))
+    slow = handed_in / "slow"
+    slow.mkdir()
+    (slow / "submission.py").write_text("import time\n" + RIGHT.replace(
+        "    x =", "    begun = time.process_time()\n    while time.process_time() < begun + 0.1: pass\n    x ="))
+    assert grade(assignment, slow, "-o", tmp_path / "slow", "--seed", "s") == 0
+    assert grade(assignment, handed_in / "ann", "-o", tmp_path / "ann", "--seed", "s") == 0
+    assert rows(tmp_path / "ann")["ann"] == ["4", "4", "pass"]
+    assert rows(tmp_path / "slow")["slow"] == ["2", "4", "partial"]
 
 
 def test_below_l2_it_must_be_said_by_name(tmp_path, assignment, handed_in, monkeypatch, capsys):

@@ -7,12 +7,21 @@ import numpy as np
 import pytest
 
 from app import __main__ as cli
+from app import exercises
+from app.catalog import chapters, step
+from app.exercises import Checker
 from app.grade import texts
 from app.grade.assignment import assignments, load
 from app.grade.live import asked_in, findings, verdicts
 from app.grade.sweep import Sweep
 from app.homework.plot import drawn
 
+
+def exercises_of_all():
+    return [exercise for loaded in chapters() for exercise in loaded.chapter.exercises]
+
+
+TRIANGLE = next(one for one in exercises_of_all() if one.name == "triangle")
 WRONG = """# halfway homework: fresnel
 import numpy as np
 
@@ -47,7 +56,8 @@ def test_new_writes_a_file_that_the_check_fails(language, capsys, tmp_path, monk
     text = file.read_text("utf-8")
     for task in load("brdfs").tasks:
         assert task.function in text and task.slide in text
-    assert "exponent of a cosine" in text and not re.search("^#", text, re.M) or language == "python"
+    assert "exponent of a cosine" in text
+    assert language == "python" or not re.search("^#", text, re.M)
     code, out, err = said(capsys, "check", str(file))
     assert (code, err) == (1, "") and out.count("✗") == len(load("brdfs").tasks)
     assert "compile error" not in out and "missing" not in out and "\n0.00 of 5.76 visible points" in out
@@ -81,7 +91,8 @@ def test_check_in_json(capsys, tmp_path):
 def test_a_right_answer_passes_and_says_so(capsys, tmp_path):
     file = tmp_path / "solid_angle.glsl"
     one = load("solid_angle")
-    file.write_text(texts.joined([(task.function, texts.solution(task, "glsl")) for task in one.tasks], "glsl"), "utf-8")
+    parts = [(task.function, texts.solution(task, "glsl")) for task in one.tasks]
+    file.write_text(texts.joined(parts, "glsl"), "utf-8")
     code, out, err = said(capsys, "check", str(file), "--assignment", "solid_angle")
     assert (code, err) == (0, "") and out.count("✓") == 3
 
@@ -117,7 +128,7 @@ def test_a_text_that_does_not_run_is_told(text, words, monkeypatch):
     ("float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {\n    return 2.0 * d;\n}", "line 2"),
     ("float triangle(vec3 a) { return 1.0; }", "solid_angle_triangle"),
     ("vec3 solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return a; }", "float solid_angle_triangle"),
-    ('#include "/etc/hostname"\nfloat solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return 1.0; }', "no line with #"),
+    ('#include "core/angle.glsl"\nfloat solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return 1.; }', "no line with #"),
 ])
 def test_a_shader_that_does_not_compile_is_told(text, words):
     finding = verdicts("solid_angle/triangle", "glsl", text)
@@ -141,3 +152,36 @@ def test_a_plot_shows_both_and_counts_what_is_outside():
     assert "●" in "".join(lines[:11]) and "·" in lines[0] and "×" not in "".join(lines[:11])
     assert "(49 of yours lie outside or are no numbers)" in lines[-1]
     assert drawn(Sweep("x", at, False, 0.5, np.full(97, np.nan), got)) == []
+
+
+# --- beside the scene ------------------------------------------------------------------------------------------------
+def test_the_window_checks_what_is_typed_in_the_background():
+    checker = Checker()
+    found = step("solid_angle/polygon")
+    assert next(iter(exercises.of_step(found))) == "solid_angle/triangle"
+    checker.ask("solid_angle/triangle", TRIANGLE.stubs["glsl"])
+    assert checker.busy
+    checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])  # typed on while the first is checked
+    shown = checker.wait(60)
+    assert not checker.busy and shown.text == TRIANGLE.solutions["glsl"] and shown.ok
+    assert all(good for good, _ in shown.lines) and len(shown.lines) >= 6
+    checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])
+    assert not checker.busy, "the same text is not asked again"
+
+
+@pytest.mark.parametrize(("text", "words"), [
+    ('#include "core/angle.glsl"\n\nfloat solid_angle_triangle(vec3 a, vec3 b, vec3 c) {\n    return d;\n}', "line 4"),
+    ('#include "../secret"\n', "there is no glsl/../secret"),
+    ("float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {\n    while (true) {}\n    return 0.0;\n}", ""),
+])
+def test_what_is_typed_wrongly_is_told_at_its_own_line(text, words):
+    shown = exercises.verdicts("solid_angle/triangle", text)
+    assert not shown.ok and not shown.lines[0][0] and words in shown.lines[0][1], shown.lines
+
+
+def test_included_text_leaves_the_other_lines_where_they_are():
+    for exercise in exercises_of_all():
+        text = exercise.solutions["glsl"]
+        own, inner = text.split("\n"), texts.inlined(text).split("\n")
+        assert len(own) == len(inner) and not any("#" in line.partition("//")[0] for line in inner)
+        assert all(a == b for a, b in zip(own, inner, strict=True) if "#include" not in a)

@@ -121,7 +121,7 @@ def test_of_two_languages_the_better_one_counts():
 
 
 @pytest.mark.parametrize("language", ["python", "glsl"])
-@pytest.mark.parametrize("exponent", [1e3, 1e5, 1e6])
+@pytest.mark.parametrize("exponent", [1e3, 1e5, 1e6, 1e7])
 def test_a_sound_float32_power_passes(exponent, language):
     """What rounding n.h alone does to a lobe of exponent 10^6 is no mistake; a tenth more in the exponent is one."""
     task = LOADED["brdfs"].task("lobe_power")
@@ -133,7 +133,7 @@ def test_a_sound_float32_power_passes(exponent, language):
     assert np.all(agree.agrees(known, sound))
     if exponent < 1e5:
         assert not np.any(agree.agrees(known, known.value * 1.01)[1:])
-    assert not np.any(agree.agrees(known, -known.value))
+    assert not np.any(agree.agrees(known, -known.value)) and not np.any(agree.agrees(known, 0 * known.value))
 
 
 @pytest.mark.parametrize("form", ["(1-c)(1+c)", "c² - 1"])
@@ -184,7 +184,8 @@ def test_the_sum_over_the_hemisphere_is_the_albedo():
     args = properties.hemisphere({"n": n, "l": n, "v": np.repeat([[0.6, 0.0, 0.8]], 3, 0), "m": np.full(3, 0.5),
                                   "f0": np.full(3, 1.0)})
     fine, apart = properties.albedo(twin("brdf_cook_torrance")(**args))
-    assert fine == pytest.approx(twin("albedo_cook_torrance")(np.arccos(0.8), 0.5, 1.0), rel=2e-2) and np.all(apart < 0.02)
+    assert fine == pytest.approx(twin("albedo_cook_torrance")(np.arccos(0.8), 0.5, 1.0), rel=2e-2)
+    assert np.all(apart < 0.02)
     lambert, none = properties.albedo(np.full(len(args["n"]), 1 / np.pi))
     assert lambert == pytest.approx(1, rel=1e-12) and np.all(none < 1e-12)
 
@@ -237,6 +238,7 @@ def test_the_result_is_strict_json():
     found = json.loads(text)
     assert found["max"] == 10 and found["schema"].startswith("halfway-result")
     worst = next(test["worst"] for test in found["tests"] if test["worst"])
+    assert all(test["worst"] is None for test in found["tests"] if test["visibility"] == "hidden"), "not sent back"
     assert worst["got"] == "nan" or worst["got"][0] == "nan"
     assert {"id", "group", "weight", "score", "max", "verdict", "visibility", "region", "points", "wrong", "worst",
             "message_key", "rationale", "help", "requires", "figures"} <= set(found["tests"][0])
@@ -265,4 +267,5 @@ def test_speed_pays_when_it_is_right():
     slow = [Reply(r.id, r.values, seconds=10.0) for r in right("fresnel")]
     result = judged("fresnel", slow)
     assert result.score == pytest.approx(9 - 0.3)
-    assert next(test.message for test in result.tests if test.group == "runtime").startswith("it takes more than 10 times")
+    told = next(test.message for test in result.tests if test.group == "runtime")
+    assert told.startswith("it takes more than 10 times")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app import maps, tables
+from app import maps, meshes, tables
 from app.__main__ import main
 from app.catalog import step
 from app.export.still import data, shot
@@ -131,3 +131,51 @@ def test_the_twin_is_bilinear_and_repeats():
 def test_a_step_without_maps_carries_none():
     assert not tables.has_maps(step("plausible_shading/compare").step.scene) and tables.has_maps(PLATE.step.scene)
     assert all((one == maps.NONE).all() for one in tables.chosen(PLATE.step.scene, {}).values())
+
+
+# --- a mesh of the user ----------------------------------------------------------------------------------------------
+EVERYTHING = step("plausible_shading/everything")
+OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0.1 0.2\nvt 0.7 0.2\nvt 0.1 0.9\nf 1/1 2/2 3/3\nf 1/1 2/3 4/2\n"
+
+
+def test_texture_coordinates_come_with_their_corners(tmp_path):
+    path = tmp_path / "a.obj"
+    path.write_text(OBJ)
+    mesh = meshes.load(path)
+    assert mesh.texture_coordinates is not None and "with texture coordinates" in mesh.note
+    assert mesh.texture_coordinates[0].tolist() == [[0.1, 0.2, 1], [0.7, 0.2, 1], [0.1, 0.9, 1]]
+    assert mesh.texture_coordinates[1, :, :2].tolist() == [[0.1, 0.2], [0.1, 0.9], [0.7, 0.2]]
+    assert set(mesh.data) == {"triangles", "texture_coordinates"}
+    path.write_text(OBJ.replace("/1", "").replace("/2", "").replace("/3", ""))
+    bare = meshes.load(path)
+    assert bare.texture_coordinates is None and "maps are laid on from the six sides of a cube" in bare.note
+    assert set(bare.data) == {"triangles"}
+
+
+def test_texture_coordinates_of_a_glb(tmp_path):
+    trimesh = pytest.importorskip("trimesh")
+    box = trimesh.creation.box()
+    box.visual = trimesh.visual.TextureVisuals(uv=np.linspace(0, 1, 2 * len(box.vertices)).reshape(-1, 2))
+    (tmp_path / "b.glb").write_bytes(box.export(file_type="glb"))
+    mesh = meshes.load(tmp_path / "b.glb")
+    assert mesh.texture_coordinates is not None and mesh.texture_coordinates.shape == (12, 3, 3)
+    assert np.ptp(mesh.texture_coordinates[..., 0]) > 0.9
+
+
+def test_maps_lie_on_a_mesh_where_its_coordinates_say(tmp_path, capsys):
+    """An albedo that is black but for one corner of the map: with all coordinates there the object is bright."""
+    spot = np.zeros((64, 64, 3), np.uint8)
+    spot[:16, :16] = 255  # the upper left corner: s small, t near 1
+    files = [f"albedo={saved(tmp_path / 'a.png', spot)}", f"f0={saved(tmp_path / 'f.png', 0 * spot + 10)}",
+             f"roughness={saved(tmp_path / 'r.png', 0 * spot + 200)}"]
+    lights = []
+    for s, t in ((0.1, 0.9), (0.1, 0.1), (0.9, 0.9)):
+        path = tmp_path / "square.obj"
+        path.write_text(f"v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nvt {s} {t}\nvt {s + 0.01} {t}\nvt {s} {t + 0.01}\n"
+                        "f 1/1 2/2 3/3\nf 1/1 3/3 4/2\n")
+        values = defaults(EVERYTHING)
+        values |= data(EVERYTHING, values, mesh=path, maps=files)
+        picture = np.asarray(shot(EVERYTHING, values, None, (320, 240), THEMES["dark"], small=True))
+        lights.append(picture[100:150, 190:230].astype(float).mean())
+    assert lights[0] > 2 * lights[1] and lights[0] > 2 * lights[2] and abs(lights[1] - lights[2]) < 3
+    assert "square.obj: 2 triangles" in capsys.readouterr().err

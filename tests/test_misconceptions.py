@@ -20,7 +20,7 @@ ROWS = [(name, function, i) for function in TASKS for name, (_, variants) in kno
         for i in range(len(variants))]
 
 
-@pytest.mark.parametrize(("name", "function", "which"), ROWS, ids=lambda x: str(x))
+@pytest.mark.parametrize(("name", "function", "which"), ROWS, ids=str)
 @pytest.mark.parametrize("language", ["python", "glsl"])
 def test_a_variant_triggers_its_row_and_no_other(name, function, which, language):
     if name == "unstable_form" and language == "python":

@@ -84,6 +84,7 @@ LOSES_ITS_DIGITS = {  # a naive form and where it must break the rule in float32
                                            "theta": f32([1.55, 1.57])},
     "planck_radiance_naive": {"wavelength": f32([1e5, 1e6, 1e5]), "temperature": f32([1e5, 1e5, 2e4])},
     "projected_solid_angle_disk_naive": {"radius": f32(1.0), "height": f32([30.0, 100.0]), "offset": f32(0.5)},
+    "f_dielectric_naive": {"l_dot_h": f32([1.0, 0.7, 0.2]), "eta": f32([1.0001, 1.0001, 0.5])},
     "lobe_phong_naive": NEARLY_MIRRORED,
     "lobe_blinn_naive": NEARLY_MIRRORED,
     "d_beckmann_naive": NARROW,

@@ -127,9 +127,12 @@ class Listener:
                     return
 
     def overdue(self) -> bool:
-        """Asleep past the backstop. One that is only slow, on a busy machine, is judged by its processor time."""
-        elapsed = time.monotonic() - self.started
-        if elapsed > self.limits.wall * self.limits.cpu and (self.clock() or 0.0) < ASLEEP * elapsed:
+        """Asleep past the backstop, or over its time where no limit of the kernel stops it (L0). One that is only slow,
+        on a busy machine, is judged by its processor time."""
+        elapsed, spent = time.monotonic() - self.started, self.clock() or 0.0
+        if spent > self.limits.cpu + 0.5:
+            self.ending.word, self.ending.said = "timeout_cpu", too_long(self.limits)
+        elif elapsed > self.limits.wall * self.limits.cpu and spent < ASLEEP * elapsed:
             self.ending.word = "timeout_wall"
             self.ending.said = f"it did nothing, and was stopped after {elapsed:.0f} s"
         return bool(self.ending.word)
@@ -240,7 +243,7 @@ def ended(status: int, ending: Ending, limits: sandbox.Limits) -> tuple[str, str
     """The word for a process that ended before it had answered everything."""
     code = os.waitstatus_to_exitcode(status)
     if ending.cpu > limits.cpu - 0.25 and code in (-signal.SIGKILL, -signal.SIGXCPU):
-        return "timeout_cpu", f"stopped after {limits.cpu} s of processor time"
+        return "timeout_cpu", too_long(limits)
     noise = ending.printed
     if not ending.loaded and code > 0 and "launch.py" in noise:
         raise Ours(f"the sandbox could not be set up: {noise.strip().splitlines()[-1][:300]}")
@@ -249,6 +252,10 @@ def ended(status: int, ending: Ending, limits: sandbox.Limits) -> tuple[str, str
     if code < 0:
         return "crash", f"the process died by {signal.Signals(-code).name}"
     return "crash", f"the process ended by itself (exit code {code})"
+
+
+def too_long(limits: sandbox.Limits) -> str:
+    return f"stopped after {limits.cpu} s of processor time"
 
 
 def printable(data: bytes) -> str:

@@ -33,9 +33,9 @@ def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
                 rows[row][column] = BOTH
     edge = max(len(short(high)), len(short(low)))
     lines = []
-    for i, row in enumerate(rows):
+    for i, cells in enumerate(rows):
         name = short(high) if i == 0 else short(low) if i == height - 1 else ""
-        lines.append(f"{name:>{edge}} │{''.join(row).rstrip()}")
+        lines.append(f"{name:>{edge}} │{''.join(cells).rstrip()}")
     ends = short(sweep.at[0]), short(sweep.at[-1])
     lines.append(f"{'':>{edge}} └{'─' * width}")
     middle = f"{sweep.label}{' (log)' if sweep.log else ''}"

@@ -15,12 +15,14 @@ MOST = 1 + 1e-3  # what app/furnace.py can tell from 1
 STATES = 8
 DIRECTIONS = {"n", "l", "v"}
 RIGHT = {"coupling": 3, "geometry": 3}  # the others of these are shown because they gain light
+AS_DEFINED = {"brdf_gltf", "brdf_file"}  # the format's own mixture, 1 - F(l.h) of the body, gains at grazing angles
 
 
 @dataclass(frozen=True)
 class Albedo:
     largest: float
     at: dict[str, float]
+    allowed: bool = False  # what gains it is no fault of the twin
 
     @property
     def gains(self) -> bool:
@@ -54,5 +56,5 @@ def most(function: str) -> Albedo | None:
         values, errors = albedo(partial(f, **state), VIEWS)
         i = int(np.argmax(values - errors))
         if found is None or values[i] - errors[i] > found.largest:
-            found = Albedo(float(values[i] - errors[i]), {**state, "theta_v": float(VIEWS[i])})
+            found = Albedo(float(values[i] - errors[i]), {**state, "theta_v": float(VIEWS[i])}, function in AS_DEFINED)
     return found

@@ -71,7 +71,8 @@ class Finding:
         """Whether it has a fault that it may not have."""
         stored = self.stored is not None and max(self.stored[1:]) > FACTOR
         shipped = any(form.fails for form in self.forms if form.name in SHIPPED)
-        return self.kind == "stable" and bool(stored or shipped or (self.albedo and self.albedo.gains))
+        gains = self.albedo is not None and self.albedo.gains and not self.albedo.allowed
+        return self.kind == "stable" and (stored or shipped or gains)
 
     @property
     def errors(self) -> np.ndarray:

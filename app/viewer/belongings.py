@@ -32,7 +32,10 @@ class Belongings:
     @property
     def data(self) -> dict[str, np.ndarray]:
         """What values carry beside the numbers: a mesh's triangles, a luminaire's table."""
-        return {**self.tables, **({} if self.triangles is None else {"triangles": self.triangles})}
+        if self.triangles is None:
+            return self.tables
+        own = self.mesh is not None and self.triangles is self.mesh.triangles
+        return {**self.tables, **(self.mesh.data if own and self.mesh else {"triangles": self.triangles})}
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
@@ -110,7 +113,8 @@ class Belongings:
         self.tables = tables.chosen(found.step.scene, values, self.ies, self.maps)
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
         shape = int(values.get("shape", 0)) if is_mesh else -1
-        wanted = found.id, shape, id(self.mesh) if is_mesh else 0
+        # texts: it may be broken
+        wanted = (found.id, found.step.scene.texts), shape, id(self.mesh) if is_mesh else 0
         if wanted != self.placed:
             self.place_anew(wanted)
         self.write()
@@ -119,12 +123,12 @@ class Belongings:
         found, (_, shape, _) = self.app.session.current, wanted
         is_mesh = shape >= 0
         was, self.placed, self.fault = self.placed, wanted, ""
-        if self.mesh is not None and was[:1] == (found.id,) and was[1] not in (-1, shape):
-            self.mesh, self.placed = None, (found.id, shape, id(None))  # a shape was chosen: back to the scene's own
+        if self.mesh is not None and was[:1] == wanted[:1] and was[1] not in (-1, shape):
+            self.mesh, self.placed = None, (*wanted[:2], id(None))  # a shape was chosen: back to the scene's own
         self.triangles = None if not is_mesh else self.mesh.triangles if self.mesh else self.mesh_named(shape)
         scene = self.app.scene
         try:
-            if was[:1] == (found.id,) and scene.stage:
+            if was[:1] == wanted[:1] and scene.stage:
                 scene.stage.place(self.triangles)
                 scene.drawn = None
             else:

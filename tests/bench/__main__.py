@@ -75,7 +75,14 @@ def window():
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits, studies)}
+def grading():
+    from tests.bench.grading import grading as measure
+
+    return measure()
+
+
+GROUPS = {measure.__name__: measure
+          for measure in (commands, frames, plots, window, points, badges, digits, studies, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())

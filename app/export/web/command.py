@@ -2,6 +2,7 @@
 
 import sys
 from argparse import ArgumentParser, BooleanOptionalAction, Namespace
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 
@@ -16,12 +17,14 @@ from app.export.png import png
 from app.export.web import index
 from app.export.web.content import content
 from app.export.web.page import file_of, page
+from app.lesson import Study
 from app.problem import Problem, Usage
 from app.state import defaults, parse, write
 from app.theme import THEMES
 
 POSTER, SMALL, PLOT, SQUARE = (1280, 720), (800, 450), (900, 600), (360, 360)
 DARK = THEMES["dark"]
+LOOK = 0.35  # s for a study
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -76,7 +79,7 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
     small, stills = None, {}
     if poster:
         from app.export.still import data as carried
-        from app.export.still import framed, plotted, shot
+        from app.export.still import framed, shot
         from app.gpu.context import context
         from app.gpu.stage import Stage
         from app.gpu.stage_text import Source
@@ -90,12 +93,23 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
             data["scene"]["camera"]["field_of_view"] = framed(stage, values, SQUARE, DARK).field_of_view
         finally:
             stage.release()
-        for i, plot in enumerate(data["plots"]):
-            if plot["kind"] == "still":
-                stills[i] = webp(plotted(found, values, PLOT, DARK, i))
+        stills = {i: webp(still_of(found, values, i)) for i, p in enumerate(data["plots"]) if p["kind"] == "still"}
         words = {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": write(found, values)}
         target.write(folder / f"{anchor(found.id)}.png", png(picture, words))
     target.write(folder / file_of(found.id), page(found, data, small, stills).encode("utf-8"))
+
+
+def still_of(found: LoadedStep, values: dict, number: int) -> Image.Image:
+    """A plot that cannot live in a page; of a study what a short look measures."""
+    from app.export.still import plotted
+    from app.plots.efforts import whole
+    from app.study.measure import measure
+
+    plot = found.step.plots[number]
+    if isinstance(plot, Study):
+        study = replace(plot, worst={})
+        return whole(study, measure(study, values, LOOK), PLOT, DARK)
+    return plotted(found, values, PLOT, DARK, number)
 
 
 def webp(picture: Image.Image) -> bytes:

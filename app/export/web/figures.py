@@ -20,7 +20,6 @@ from app.lesson import (
     LedgerRow,
     Lobes,
     Model,
-    ModelPlot,
     Plot,
     Slice,
     Study,
@@ -32,6 +31,10 @@ from app.plots.sweep import Sweep
 from app.spoken import axis_title
 from app.state import defaults
 
+PRECISIONS = ("This plot compares float32 with float64. A page computes in float32 alone, so here is the desktop's "
+              "picture, at the first values of the step.")
+TIMES = ("This plot measures times of the desktop's methods. Here is what the machine that made this page measured, "
+         "at the first values of the step.")
 FLOOR = 1e-8  # an error of 0 in float32 is drawn here
 
 
@@ -39,9 +42,9 @@ def plot(one: Plot, found: LoadedStep, twins: Twins) -> Data:
     """A plot of a step; `kind` says who draws it in the player."""
     title = {"title": one.title}
     if isinstance(one, Curves):
-        return title | (curves(one, found, twins) if carries(one, found) else {"kind": "still", "note": (
-            "This plot compares float32 with float64. A page computes in float32 alone, so here is the desktop's "
-            "picture, at the first values of the step.")})
+        return title | (curves(one, found, twins) if carries(one, found) else {"kind": "still", "note": PRECISIONS})
+    if isinstance(one, Study):
+        return title | {"kind": "still", "note": TIMES}
     if isinstance(one, Ledger):
         return title | ledger(one, twins)
     if isinstance(one, Slice):
@@ -139,7 +142,6 @@ def in_space(one: Figure | Faces | Lobes | ImageSlice, found: LoadedStep, twins:
     if isinstance(one, Faces):
         twins.add("solid_angle_triangle_signed")
         return data | {"what": "faces", "scene": scene(space.faces(one))}
-    assert isinstance(one, ModelPlot)
     shown = lobes(one.models, found, twins)
     terms = [term for model in one.models for term in channels(model, found)]
     scaled = "lobe_scale" in found.values

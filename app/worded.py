@@ -1,11 +1,10 @@
-"""The words that the fields of a lesson's data know."""
+"""What the parts of a lesson have in common: numbers, twins by their names, and words that are known or refused."""
 
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from functools import cache
 from typing import Literal, get_args, get_origin
 
 Number = float | tuple[float, ...]
-Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
 
 
 class Worded:
@@ -21,3 +20,11 @@ class Worded:
 def vocabulary(kind: type) -> tuple[tuple[str, tuple], ...]:
     """The fields of a class that take one of some words."""
     return tuple((f.name, get_args(f.type)) for f in fields(kind) if get_origin(f.type) is Literal)
+
+
+@dataclass(frozen=True)
+class Term:
+    """A twin by its name; an argument not named in `args` is the value of its own name, text names another value."""
+
+    function: str
+    args: dict[str, str | Number] = field(default_factory=dict)
