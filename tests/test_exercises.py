@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from app.grade.checks import run
 
 from app import catalog
-from app.grade.checks import run
 from app.problem import Usage
 
 EXERCISES = {f"{loaded.id}/{exercise.name}": exercise for loaded in catalog.chapters()

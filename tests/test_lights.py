@@ -4,10 +4,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from app.grade.checks import run
 from scipy.integrate import dblquad, quad
 
 from app import catalog
-from app.grade.checks import run
 from app.inspection import inspect
 from app.optics import (
     area_light,
