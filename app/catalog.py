@@ -21,7 +21,8 @@ from app.study.names import terms as terms_of
 
 BOARD = "board/"  # steps that are made when they are asked for: see app/board/board_step.py
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
-DATA = frozenset({"triangles", "s", "t"})  # a mesh's faces and what a sheet sweeps: arguments that are no values
+# what belongs to a mesh, and what a sheet sweeps: arguments that are no values
+DATA = frozenset({"triangles", "texture_coordinates", "s", "t"})
 SWEPT = frozenset({"s", "t"})
 MODELLED = frozenset({"n", "l", "v", "channel", "radiance"})  # what a model's lobe and badges sweep
 
@@ -129,9 +130,7 @@ def chapters(folder: Path = LESSONS) -> tuple[Loaded, ...]:
 @cache
 def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
     """Every step of the course, in order."""
-    declared = studies(folder)
-    return tuple(LoadedStep(found, replace(step, study=declared.get(f"{found.id}/{step.name}", step.study)), i)
-                 for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
+    return tuple(LoadedStep(found, step, i) for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
 
 
 @cache
@@ -185,7 +184,9 @@ def load(file: Path) -> Loaded:
     chapter = getattr(module, "CHAPTER", None)
     if not isinstance(chapter, Chapter):
         return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
-    return Loaded(id, number, file, intro, chapter)
+    declared = studies(file.parent)
+    studied = tuple(replace(step, study=declared.get(f"{id}/{step.name}")) for step in chapter.steps)
+    return Loaded(id, number, file, intro, replace(chapter, steps=studied))
 
 
 def module_of(file: Path) -> ModuleType:

@@ -141,7 +141,7 @@ def left_out(found: LoadedStep, functions: set[str], files: set[str]) -> tuple[s
         said.append(f"{', '.join(sorted(files))}: included by others, and nothing of it is used.")
     if not any(surface.mesh for surface in scene.surfaces):
         said.append("trimesh: the scene has no mesh.")
-    if not scene.tables:
+    if not any(table.files for table in scene.tables):
         said.append("the reader of IES files: the scene has no measured luminaire.")
     said += [f"the program for {DRAWN[name]}: the scene has none." for name, n in drawn(scene).items() if not n]
     said.append("pyrender: no second renderer is compared here.")

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app import prediction
+from app.breaking import broken, values_of
 from app.catalog import BOARD, LoadedStep, chapters, step, steps
 from app.edit import Function, among_values, functions, source_of
-from app.lesson import Number, Plot
+from app.lesson import Break, Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
 from app.problem import Problem, Usage, near
@@ -45,6 +46,7 @@ class Session:
         self.message = ""  # one sentence for the person
         self.told = progress.message if progress else ""  # of the progress file
         self.frozen = False  # the picture waits for the guess: values stay as they are
+        self.sound: tuple[LoadedStep, dict[str, Number], int] | None = None  # while a step is broken: it, as it was
         self.revision = 0  # grows when anything changes that a picture shows
         self.visits: dict[str, Visit] = {}
         self.steps = steps(folder)
@@ -91,6 +93,7 @@ class Session:
         state = parse(text, self.folder)
         self.end_change()
         self.save()
+        self.mend()
         self.current = self.found(state.step)
         self.visit = self.enter(self.current)
         if "?" in text:
@@ -207,6 +210,7 @@ class Session:
         if name:
             self.change({**self.values, name: own[name]}, self.view)
         else:
+            self.mend()
             self.change(own, View.of(self.current.step.scene.camera))
 
     def change(self, values: dict[str, Number], view: View) -> None:
@@ -231,6 +235,33 @@ class Session:
     def moved(self, done: bool) -> bool:
         self.revision += done
         return done
+
+    # --- what one breaks ---------------------------------------------------------------------------------------------
+    @property
+    def broken(self) -> Break | None:
+        """What is broken now."""
+        return self.sound[0].step.breaks[self.sound[2]] if self.sound else None
+
+    def break_it(self, which: int = 0) -> None:
+        """Naive forms at the values where they fail; the same again mends it, another breaks that instead."""
+        again = self.sound is not None and self.sound[2] == which
+        self.mend()
+        if again:
+            return
+        if which >= len(self.current.step.breaks):
+            raise Usage(f"there is nothing to break in {self.current.id}.")
+        before = dict(self.values)
+        self.change({**self.values, **values_of(self.current, self.current.step.breaks[which])}, self.view)
+        self.sound = self.current, before, which
+        self.current = broken(self.current, which)
+        self.revision += 1
+
+    def mend(self) -> None:
+        """The stable forms again, at the values from before; nothing where nothing is broken."""
+        if self.sound:
+            (self.current, before, _), self.sound = self.sound, None
+            self.change(before, self.view)
+            self.revision += 1
 
     # --- what one types ----------------------------------------------------------------------------------------------
     @property
@@ -269,9 +300,13 @@ class Session:
 
     def restore(self, name: str) -> None:
         """The course's text again; what was typed can be brought back."""
+        self.put_aside(name)
+        self.type(name, self.function(name).text)
+
+    def put_aside(self, name: str) -> None:
+        """What was typed is kept, to be brought back."""
         if name in self.visit.texts:
             self.visit.aside[name] = self.visit.texts[name]
-        self.type(name, self.function(name).text)
 
     def bring_back(self, name: str) -> None:
         self.type(name, self.visit.aside.pop(name, self.text(name)))

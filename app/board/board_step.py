@@ -11,6 +11,7 @@ from urllib.parse import quote, unquote
 
 import numpy as np
 
+from app.board import settings
 from app.board.board_values import specs
 from app.board.brdf_file import Default
 from app.board.factors import PARTS, factors
@@ -36,6 +37,7 @@ from app.lesson import (
 )
 from app.optics.spherical import direction, light_direction, view_direction
 from app.problem import Problem, Usage
+from app.state import write
 from app.terms import evaluate
 
 COLOURS: tuple[Colour, ...] = ("estimate", "f", "g", "exact")  # none of a direction's
@@ -143,7 +145,11 @@ def turn_of(l: np.ndarray, h: np.ndarray) -> float:
 # --- words -----------------------------------------------------------------------------------------------------------
 def name_of(words: list[tuple[str, bool]]) -> str:
     """The step's name: words of models, and which are on."""
-    return "+".join(("" if on else "-") + quote(word, safe="/._~:\\") for word, on in words)
+    def coded(word: str) -> str:
+        text = quote(word, safe="/._~:\\")
+        return "%2D" + text[1:] if text.startswith("-") else text
+
+    return "+".join(("" if on else "-") + coded(word) for word, on in words)
 
 
 def words_of(name: str) -> list[tuple[str, bool]]:
@@ -154,6 +160,15 @@ def id_of(words: list[str]) -> str:
     """The board of these models, the first ones of them on."""
     once = list(dict.fromkeys(words)) or [FIRST]
     return BOARD + name_of([(word, i < MOST) for i, word in enumerate(once)])
+
+
+def started(id: str, given: list[str]) -> str:
+    """The state string of a board with parameters `name=value` of its models."""
+    found = step(id.removeprefix(BOARD))
+    settings.checked([one.model for one in found.shown if one.model], given)
+    values = {one.prefix + name: value for one in found.shown if one.model
+              for name, value in settings.of_model(one.model, given).items()}
+    return write(found, values)
 
 
 def step(name: str) -> BoardStep:
@@ -174,6 +189,7 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
     if not words:
         raise Usage("a board without a model; write one behind board/, as in board/cook_torrance.")
     entries: list[Entry] = []
+    problems: list[Problem] = []
     peaks: dict[str, float] = {}
     on = 0
     for i, (word, wanted) in enumerate(words):
@@ -186,10 +202,10 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
             else:
                 entries.append(Entry(word, model.name, False, model, prefix=f"model{i}_"))
         except Problem as problem:
+            problems.append(problem)
             entries.append(Entry(word, Path(word).stem, False, None, str(problem)))
     if not on:
-        faults = [one.fault for one in entries if one.fault]
-        raise Problem(faults[0] if faults else "every model of the board is off.")
+        raise problems[0] if problems else Usage("every model of the board is off; one without a minus is on.")
     return assembled(tuple(entries), peaks)
 
 

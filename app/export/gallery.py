@@ -16,7 +16,7 @@ from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
-from app.export.still import data, file_of, known, luminaires, plotted, shot
+from app.export.still import constant, data, file_of, known, plotted, shot
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers
@@ -85,7 +85,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
     def values() -> dict:
         first = defaults(found)
         own = mesh if any(surface.mesh for surface in found.step.scene.surfaces) else None
-        return first | data(found, first, own, ies if found.step.scene.tables else None)
+        return first | data(found, first, own, ies if any(table.files for table in found.step.scene.tables) else None)
 
     def scene() -> None:
         shown.state = write(found, start)
@@ -102,7 +102,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
         shown.numbers = numbers(found.step, start, context())
         shown.badges = {model.label: of_model(model, start) for model in found.step.models}
         shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"},
-                                       **luminaires(found, prediction.truth_values(found)))
+                                       **constant(found, prediction.truth_values(found)))
 
     def tries() -> None:
         for i, link in enumerate(state_links(found)):

@@ -1,4 +1,4 @@
-"""Our own OpenGL context without a window: one per process, on an EGL display that nobody else closes.
+"""Our own OpenGL context without a window: one per thread, on an EGL display that nobody else closes.
 
 VTK terminates the display of the first EGL device, pyrender the default one, which moderngl's own backend shares; the
 surfaceless one is taken (else the first device's, else moderngl's own). `with context():` makes it current again after
@@ -91,9 +91,13 @@ class EglContext:
         self.egl.eglDestroyContext(self.display, self.context)
 
 
-@cache
 def context() -> moderngl.Context:
-    """The process's own context for rendering without a window."""
+    """The thread's own context for rendering without a window: a context is current in one thread at a time."""
+    return of_thread(threading.get_ident())
+
+
+@cache
+def of_thread(thread: int) -> moderngl.Context:
     tried = []
     if sys.platform.startswith("linux"):
         os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # Mesa's own words say less than the sentence below
@@ -109,18 +113,6 @@ def context() -> moderngl.Context:
         tried.append(str(error))
     raise Problem(f"OpenGL 3.3 without a window could not be started ({'; '.join(dict.fromkeys(tried))}). "
                   "Run `halfway doctor`: it prints the command that mends it.") from None
-
-
-own = threading.local()
-
-
-def here() -> moderngl.Context:
-    """A context for this thread: the process's own, or, as a context is current in one thread only, one of its own."""
-    if threading.current_thread() is threading.main_thread():
-        return context()
-    if not hasattr(own, "context"):
-        own.context = context.__wrapped__()
-    return own.context
 
 
 def kept(ctx: moderngl.Context) -> dict:

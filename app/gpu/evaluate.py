@@ -6,7 +6,7 @@ import moderngl
 import numpy as np
 
 from app import shader
-from app.gpu.context import here, kept, pixel, program
+from app.gpu.context import context, kept, pixel, program
 from app.problem import Problem, Usage, near
 from app.shader import WIDTH
 
@@ -35,7 +35,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
         raise Usage(f"{function}: the shapes of its arguments do not fit together: "
                     + ", ".join(f"{name} {c.shape}" for name, c in columns.items()) + ".") from None
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
-    ctx = ctx or here()
+    ctx = ctx or context()
     with ctx:
         feedback = linked(ctx, source, function, overrides)
         for name in (uniforms or {}).keys() & set(feedback):
@@ -68,7 +68,7 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
         raise Usage(f"{function} needs {arg.name}.{near(arg.name, args)}")
     data = np.asarray(args[arg.name], np.int32 if arg.type == "int" else np.float32)
     if arg.type == "sampler2D" and arg.name != "triangles":
-        if data.ndim != 2:
+        if data.ndim != 2 and not is_map(data):
             raise Usage(f"{function}: {arg.name} is one table of rows and columns for all points, not {data.shape}.")
         return data
     tail: tuple[int, ...] = (3, 3) if arg.type == "sampler2D" else (WIDTH[arg.type],) if WIDTH[arg.type] > 1 else ()
@@ -150,6 +150,8 @@ def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument
 def data_texture(ctx: moderngl.Context, data: np.ndarray) -> moderngl.Texture:
     """Constant data as a float texture to be read by texelFetch: a mesh (faces, 3, 3), or a table (rows, columns),
     whose number at [row, column] is texel (column, row)."""
+    if is_map(data):
+        return map_texture(ctx, data)
     if data.ndim == 3:
         return mesh_texture(ctx, data)
     rows, columns = data.shape
@@ -158,6 +160,20 @@ def data_texture(ctx: moderngl.Context, data: np.ndarray) -> moderngl.Texture:
         raise Problem(f"a table of {rows} x {columns} numbers is larger than this OpenGL can hold ({limit} a side).")
     texture = ctx.texture((columns, rows), 1, np.ascontiguousarray(data, "f4").tobytes(), dtype="f4")
     texture.filter = moderngl.NEAREST, moderngl.NEAREST
+    return texture
+
+
+def is_map(data: np.ndarray) -> bool:
+    """Four channels a texel (rows, columns, 4): no mesh, whose corners have three numbers."""
+    return data.ndim == 3 and data.shape[-1] == 4
+
+
+def map_texture(ctx: moderngl.Context, texels: np.ndarray) -> moderngl.Texture:
+    """A picture's stored bytes, 0 to 1, to be sampled at any scale; the lowest row first."""
+    rows, columns, _ = texels.shape
+    texture = ctx.texture((columns, rows), 4, np.ascontiguousarray(texels, "u1").tobytes())
+    texture.build_mipmaps()
+    texture.filter = moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR
     return texture
 
 

@@ -16,6 +16,7 @@ from app.problem import Problem
 from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
+WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
@@ -113,6 +114,8 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
+                if any("texture_coordinates" in use for use in self.programs.values()):
+                    self.hold("texture_coordinates", WITHOUT)
                 if any("normals" in use for use in self.programs.values()):
                     self.hold("normals", corner_normals(triangles))
         for uniform, path in self.scene.measured:
@@ -131,7 +134,10 @@ class Stage:
             self.data[uniform] = data, data_texture(self.ctx, data)
 
     def take_tables(self, values: dict) -> None:
-        """The scene's tables among the values, by the names of their uniforms."""
+        """The scene's tables, and its mesh's own texture coordinates, by the names of their uniforms."""
+        own = values.get("texture_coordinates")
+        if own is not None and "texture_coordinates" in self.data:
+            self.hold("texture_coordinates", own)
         for table in self.scene.tables:
             if table.uniform in values:
                 self.hold(table.uniform, values[table.uniform])

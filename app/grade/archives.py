@@ -99,6 +99,8 @@ def unpacked(data: bytes) -> bytes:
     whole = tool.decompress(data, most + 1)
     if len(whole) > most:
         raise Refused(f"it unpacks to more than {MOST_BYTES >> 20} MB.")
+    if not tool.eof:
+        raise Refused("the archive is broken (its end is missing).")
     if len(whole) > 10240 + 1024 * MOST_MEMBERS + MOST_RATIO * len(data):
         raise Refused(f"it unpacks to more than {MOST_RATIO} times its size.")
     return whole

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from app import VERSION
-from app.grade import intake
+from app.grade import intake, work
 from app.grade.assignment import Assignment, load
 from app.grade.executor import DaskExecutor, Executor, LocalExecutor
 from app.grade.level import LEVELS, MEANING
@@ -37,6 +37,7 @@ def run(options: argparse.Namespace) -> int:
         raise Usage(f"there is no level {options.level}; there are {', '.join(LEVELS)}.")
     if options.jobs < 0:
         raise Usage(f"--jobs {options.jobs}: at least one submission at a time.")
+    work.timed_texts(assignment)
     handed_in = intake.students(options.submissions)
     results = Path(options.output).expanduser()
     executor: Executor = DaskExecutor(options.scheduler) if options.scheduler else LocalExecutor(
@@ -58,8 +59,6 @@ def cores() -> int:
 
 def the_machine(executor: Executor, named: str) -> dict:
     """What the workers are, found by their own self-test; below L2 only by name."""
-    from app.grade import work
-
     executor.submit(work.described, {"named": named})
     _, facts = next(executor.as_completed())
     if facts is None:
@@ -84,8 +83,6 @@ class Class:
         self.bodies: dict[str, dict] = {}
 
     def grade(self) -> int:
-        from app.grade import work
-
         jobs: dict[str, dict] = {}
         for student, entries in self.handed_in.items():
             job = self.job(student, entries)

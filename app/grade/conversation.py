@@ -22,6 +22,7 @@ from app.grade.child.frames import HEAD, LOADED, MAGIC, READY, REASONS, VALUES, 
 
 NOISE = 64 << 10  # bytes kept of what it prints, on each of its two streams
 FLOOD = 16 << 20  # bytes printed after which it is stopped
+ASLEEP = 0.1  # share of the time below which a process sleeps: so none lasts longer than 10 times its processor time
 LONGEST_WAIT = 30.0  # s for a killed process to be gone
 
 
@@ -113,29 +114,33 @@ class Listener:
         self.printed = 0
 
     def listen(self) -> None:
-        deadline = self.started + self.limits.wall * self.limits.cpu
         with selectors.DefaultSelector() as watch:
             for descriptor in (self.inner, *self.noise):
                 os.set_blocking(descriptor, False)
                 watch.register(descriptor, selectors.EVENT_READ)
             while watch.get_map():
-                left = deadline - time.monotonic()
-                ready = watch.select(left) if left > 0 else []
-                if not ready and left <= 0:
-                    self.ending.word = "timeout_wall"
-                    return
-                for key, _ in ready:
+                for key, _ in watch.select(0.1):
                     if not self.read(key.fd):
                         watch.unregister(key.fd)
                 open_still = self.inner in {key.fd for key in watch.get_map().values()}
-                if self.ending.word or self.complete() or (not open_still and self.child_ended(deadline)):
+                if self.complete() or self.overdue() or (not open_still and self.child_ended()):
                     return
 
-    def child_ended(self, deadline: float) -> bool:
-        """It closed its way out; whether it is dead or sleeps is seen within the deadline."""
+    def overdue(self) -> bool:
+        """Asleep past the backstop, or over its time where no limit of the kernel stops it (L0). One that is only slow,
+        on a busy machine, is judged by its processor time."""
+        elapsed, spent = time.monotonic() - self.started, self.clock() or 0.0
+        if spent > self.limits.cpu + 0.5:
+            self.ending.word, self.ending.said = "timeout_cpu", too_long(self.limits)
+        elif elapsed > self.limits.wall * self.limits.cpu and spent < ASLEEP * elapsed:
+            self.ending.word = "timeout_wall"
+            self.ending.said = f"it did nothing, and was stopped after {elapsed:.0f} s"
+        return bool(self.ending.word)
+
+    def child_ended(self) -> bool:
+        """It closed its way out; whether it is dead, sleeps or spins is seen in time."""
         while os.waitid(os.P_PID, self.child.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG) is None:
-            if time.monotonic() > deadline:
-                self.ending.word = "timeout_wall"
+            if self.overdue():
                 return True
             time.sleep(0.01)
         return True
@@ -179,7 +184,7 @@ class Listener:
             data = bytes(self.buffer[HEAD.size:HEAD.size + size])
             del self.buffer[:HEAD.size + size]
             if kind == READY:
-                self.ending.loaded, self.before = True, self.clock()
+                self.ending.loaded, self.before = True, self.clock() or 0.0
                 continue
             self.take(kind, data, call)
         if len(self.ending.answers) == len(self.calls) and self.buffer and not self.ending.word:
@@ -189,7 +194,7 @@ class Listener:
         if call is None:  # the text could not even be read
             self.ending.word, self.ending.said = REASONS[kind], printable(data)
             return
-        now = self.clock()
+        now = self.clock() or 0.0
         spent, self.before = now - self.before, now
         if kind == VALUES:
             values = np.frombuffer(data, "<f8").reshape((call.count, call.width) if call.width > 1 else (call.count,))
@@ -197,18 +202,17 @@ class Listener:
         else:
             self.ending.answers.append(Answer(None, REASONS[kind], printable(data), spent))
 
-    def clock(self) -> float:
-        """Processor time of the child as the kernel counts it: the clock of another process, clock_getcpuclockid(3)."""
+    def clock(self) -> float | None:
+        """Processor time of the child as the kernel counts it: another process's clock, clock_getcpuclockid(3)."""
         try:
             return time.clock_gettime((~self.child.pid << 3) | 2)
-        except (OSError, AttributeError):
-            return time.monotonic() - self.started
+        except (OSError, AttributeError):  # not on this system
+            return None
 
     def end(self) -> None:
         """Kill it, whatever it did; wait for it; say how it ended."""
         ending, child = self.ending, self.child
         done = len(ending.answers) == len(self.calls) or bool(ending.word)
-        alive = os.waitid(os.P_PID, child.pid, os.WEXITED | os.WNOWAIT | os.WNOHANG) is None
         with suppress(ProcessLookupError):
             os.kill(child.pid, signal.SIGKILL)
         status, usage = reaped(child)
@@ -219,7 +223,7 @@ class Listener:
         ending.wall = time.monotonic() - self.started
         ending.cpu, ending.memory = usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024
         ending.printed = printable(b"".join(self.noise.values()))
-        if not done or (ending.word == "timeout_wall" and not alive):
+        if not done:
             ending.word, ending.said = ended(status, ending, self.limits)
 
 
@@ -239,7 +243,7 @@ def ended(status: int, ending: Ending, limits: sandbox.Limits) -> tuple[str, str
     """The word for a process that ended before it had answered everything."""
     code = os.waitstatus_to_exitcode(status)
     if ending.cpu > limits.cpu - 0.25 and code in (-signal.SIGKILL, -signal.SIGXCPU):
-        return "timeout_cpu", f"stopped after {limits.cpu} s of processor time"
+        return "timeout_cpu", too_long(limits)
     noise = ending.printed
     if not ending.loaded and code > 0 and "launch.py" in noise:
         raise Ours(f"the sandbox could not be set up: {noise.strip().splitlines()[-1][:300]}")
@@ -248,6 +252,10 @@ def ended(status: int, ending: Ending, limits: sandbox.Limits) -> tuple[str, str
     if code < 0:
         return "crash", f"the process died by {signal.Signals(-code).name}"
     return "crash", f"the process ended by itself (exit code {code})"
+
+
+def too_long(limits: sandbox.Limits) -> str:
+    return f"stopped after {limits.cpu} s of processor time"
 
 
 def printable(data: bytes) -> str:

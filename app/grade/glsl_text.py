@@ -14,9 +14,10 @@ DEEPEST = 6000  # brackets within brackets
 TOKEN = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|\.\d\w*|[{}()\[\];,=]|\S")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/|/\*.*\Z", re.S)
 TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}
-BOUNDARY = {"uniform", "buffer", "shared", "attribute", "varying", "layout", "coherent", "volatile", "restrict",
-            "readonly", "writeonly", "subroutine", "patch", "sample", "flat", "smooth", "centroid", "noperspective",
-            "invariant", "precise", "atomic_uint"}
+BOUNDARY = {"uniform", "attribute", "varying", "layout", "flat", "smooth", "centroid", "noperspective", "invariant",
+            "atomic_uint"}
+AT_TOP = {"in", "out", "inout", "buffer", "shared", "coherent", "volatile", "restrict", "readonly", "writeonly",
+          "subroutine", "patch", "sample", "precise"}  # in a function some of them are ordinary names
 PIXEL = {"discard": "a function of numbers has no pixel to discard", "dFdx": "a point has no neighbours",
          "dFdy": "a point has no neighbours", "fwidth": "a point has no neighbours"}
 OPENING = {"{": "}", "(": ")", "[": "]"}
@@ -106,7 +107,7 @@ def words(text: str, code: str) -> tuple[str, str] | None:
 def outside(text: str, code: str) -> tuple[str, str] | None:
     """What stands outside functions: constants, structures, functions; none called main or like a built-in one."""
     for tokens, place in declarations(code):
-        if tokens[:1] == ["in"] or tokens[:1] == ["out"] or tokens[:1] == ["inout"]:
+        if tokens[0] in AT_TOP:
             return "rejected", at(text, place, f"{tokens[0]}: hand in functions; the arguments are all they get")
         if is_function(tokens) or tokens[0] in ("const", "struct", "precision", ";"):
             continue

@@ -15,8 +15,8 @@ from app.grade.judge import judge
 from app.grade.question import FILES, Language
 from app.grade.questions import questions
 from app.grade.result import Result, Suspect, Test
-from app.grade.supervisor import answer
 from app.grade.sandbox import Limits
+from app.grade.supervisor import answer
 from app.problem import Usage, near
 
 OWN = "L0"  # no sandbox: nobody else's text, nobody else's machine
@@ -92,7 +92,8 @@ def graded(assignment: Assignment, language: Language, text: str) -> tuple[Resul
 
 
 def limits(assignment: Assignment) -> Limits:
-    return Limits(cpu=max(1, round(assignment.seconds)))
+    """Tighter than when it is handed in: a person waits, and here are a few hundred points."""
+    return Limits(cpu=max(1, min(2, round(assignment.seconds))), wall=3.0)
 
 
 def without_speed(assignment: Assignment) -> Assignment:

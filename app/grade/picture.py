@@ -6,9 +6,9 @@ the nearest of the 3 x 3 neighbours counts.
 
 import numpy as np
 
-from app.grade.agree import agrees, truth
+from app.grade.agree import MEMORY, agrees
 from app.grade.assignment import Task
-from app.grade.questions import PART, pixels
+from app.grade.questions import mask_of
 from app.grade.result import Figure, Test, Worst
 from app.optics.colour import linear_to_srgb
 
@@ -16,32 +16,32 @@ RMSE, PEAK = 0.01, 0.05  # relative: below both the picture is right
 WORST = 10.0  # times those it pays nothing
 
 
-def test(task: Task, language: str, part: str, most: float, values: np.ndarray) -> Test:
+def test(task: Task, language: str, part: str, most: float, values: np.ndarray,
+         args: dict[str, np.ndarray]) -> Test:
     """Full marks below RMSE and PEAK, nothing at WORST times either, in between evenly in the logarithm."""
     assert task.picture is not None
-    args, mask = pixels(task.picture, task.arguments, PART[part])
-    known = truth(task, args, language)
+    mask = mask_of(task.picture)
+    known, _ = MEMORY.known(task, args, language)
     finite = bool(np.all(np.isfinite(values)))
-    shown = dict(expected=known.value, got=values)
-    images = {name: image(one, mask) for name, one in shown.items()}
-    off, rmse, peak = errors(images["expected"], images["got"], mask) if finite else (None, np.inf, np.inf)
+    images = {"expected": image(known.value, mask), "got": image(values, mask)}
+    off, rmse, peak = np.zeros(mask.shape), np.inf, np.inf
+    if finite:
+        off, rmse, peak = errors(images["expected"], images["got"], mask)
     excess = max(rmse / RMSE, peak / PEAK)
     share = 0.0 if not finite else float(np.clip(1 - np.log(max(excess, 1)) / np.log(WORST), 0, 1))
     verdict = "nonfinite" if not finite else "pass" if share == 1 else "partial" if share > 0 else "wrong"
     right = agrees(known, values)
-    worst = None
-    message = ""
-    if verdict != "pass":
-        at = int(np.argmax(np.where(np.isfinite(off[mask]), off[mask], np.inf))) if off is not None else int(
-            np.argmin(np.all(np.isfinite(values.reshape(len(values), -1)), -1)))
-        worst = Worst({name: np.asarray(x[at]).tolist() for name, x in args.items()}, np.asarray(values[at]).tolist(),
-                      np.asarray(known.value[at]).tolist(), float(min(excess, 1e300)))
-        message = (f"the picture is off by {rmse:.1%} (RMSE) and {peak:.1%} (99.9th percentile); "
-                   f"right are at most {RMSE:.0%} and {PEAK:.0%}." if finite else "there are pixels that are no numbers.")
+    seen = part == "visible"  # of the hidden picture nothing is sent back but how far it is off
+    message = "" if verdict == "pass" else "there are pixels that are no numbers." if not finite else (
+        f"the picture is off by {rmse:.1%} (RMSE) and {peak:.1%} (99.9th percentile); right are at most {RMSE:.0%} and "
+        f"{PEAK:.0%}.")
+    at = int(np.argmax(np.where(np.isfinite(values.reshape(len(values), -1)).all(-1), off[mask], np.inf)))
+    worst = Worst({name: np.asarray(x[at]).tolist() for name, x in args.items()}, np.asarray(values[at]).tolist(),
+                  np.asarray(known.value[at]).tolist(), float(min(excess, 1e300))) if message and seen else None
     return Test(f"{task.function}/picture", "image", task.function, "picture", language, part, most,
                 most * share, most, verdict, len(values), int(np.sum(~right)), worst,
                 message_key="picture" if message else "", message=message,
-                figures=figures(images["expected"], images["got"], mask) if message else ())
+                figures=figures(images["expected"], images["got"], mask) if message and seen else ())
 
 
 def image(values: np.ndarray, mask: np.ndarray) -> np.ndarray:
@@ -58,8 +58,8 @@ def errors(expected: np.ndarray, got: np.ndarray, mask: np.ndarray) -> tuple[np.
     nearest = off.copy()
     for dy in (-1, 0, 1):
         for dx in (-1, 0, 1):
-            moved = np.roll(got, (dy, dx), (0, 1))
-            nearest = np.minimum(nearest, np.where(np.roll(mask, (dy, dx), (0, 1)), distance(expected, moved), np.inf))
+            moved, there = (np.roll(one, (dy, dx), (0, 1)) for one in (expected, mask))
+            nearest = np.minimum(nearest, np.where(there, distance(moved, got), np.inf))
     off = np.where(rim, nearest, off)
     size = np.sqrt(np.mean(np.sum(expected[mask] ** 2, -1)))
     top = np.percentile(np.sqrt(np.sum(expected[mask] ** 2, -1)), 99.9)

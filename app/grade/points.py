@@ -33,25 +33,37 @@ class Domain:
 
 
 def domain(name: str, given: object, arguments: tuple[str, ...], free: bool = False) -> Domain:
-    """What was written for an argument, as a Domain; a Usage says what would be right. `free`: beyond its quantity too."""
+    """What was written for an argument, as a Domain; a Usage says what would be right. `free`: not only in the range
+    of its quantity."""
     if isinstance(given, dict):
         return dependent(name, given, arguments, free)
+    if isinstance(given, list) and given:
+        return listed(name, given, free)
     if name in DIRECTIONS and given == "any":
         return Domain("direction", (0.0, 180.0))
     if is_number(given):
         return Domain("fixed", (inside(name, float(given), free),))  # type: ignore[arg-type]
-    if isinstance(given, list) and len(given) in (2, 3, 4) and all(map(is_number, given)):
-        numbers = tuple(map(float, given))
-        if len(given) == 2 and name in DIRECTIONS:
-            return Domain("direction", ordered(numbers, 0, 180))
-        if len(given) == 2:
-            low, high = ordered(numbers)
-            return Domain("range", (inside(name, low, free), inside(name, high, free)))
-        return Domain("fixed", (numbers,))
-    if isinstance(given, list) and len(given) == 2 and all(isinstance(end, list) for end in given):
+    raise no_domain(name, given)
+
+
+def listed(name: str, given: list, free: bool) -> Domain:
+    """[low, high], of numbers or of vectors, or one vector."""
+    if len(given) == 2 and all(isinstance(end, list) for end in given):
         return Domain("range", tuple(tuple(map(float, end)) for end in given))
+    if not 2 <= len(given) <= 4 or not all(map(is_number, given)):
+        raise no_domain(name, given)
+    numbers = tuple(map(float, given))
+    if len(given) > 2:
+        return Domain("fixed", (numbers,))
+    if name in DIRECTIONS:
+        return Domain("direction", ordered(numbers, 0, 180))
+    low, high = ordered(numbers)
+    return Domain("range", (inside(name, low, free), inside(name, high, free)))
+
+
+def no_domain(name: str, given: object) -> Usage:
     any_way = ', "any"' if name in DIRECTIONS else ""
-    raise Usage(f"{given!r} is no domain; right are a number, [low, high]{any_way} or a table of {', '.join(FORMS)}")
+    return Usage(f"{given!r} is no domain; right are a number, [low, high]{any_way} or a table of {', '.join(FORMS)}")
 
 
 def dependent(name: str, given: dict, arguments: tuple[str, ...], free: bool) -> Domain:
@@ -134,26 +146,23 @@ def draw(domains: dict[str, Domain], rng: np.random.Generator, count: int) -> di
     return {name: found[name] for name in domains}
 
 
-def drawn(name: str, given: Domain, rng: np.random.Generator, count: int, get) -> np.ndarray:
+def drawn(name: str, given: Domain, rng: np.random.Generator, count: int, get) -> np.ndarray:  # noqa: PLR0911
     numbers, share = np.asarray(given.numbers, float), rng.random(count)
-    if given.form == "fixed":
-        return np.repeat(numbers, count, 0)
-    if given.form == "choose":
-        return rng.choice(numbers, count)
+    if given.form in ("fixed", "choose"):
+        return np.repeat(numbers, count, 0) if given.form == "fixed" else rng.choice(numbers, count)
     low, high = numbers
     if given.form == "range":
-        wide = rng.random((count, *numbers.shape[1:])) if numbers.ndim > 1 else share
-        return low + (high - low) * wide
-    if given.form == "log":
-        return np.exp(np.log(low) + (np.log(high) - np.log(low)) * share)
+        return low + (high - low) * (rng.random((count, *numbers.shape[1:])) if numbers.ndim > 1 else share)
     if given.form == "between":
         first, second = map(get, given.other)
         return first + (second - first) * share
     if given.form == "times":
         return get(given.other[0]) * (low + (high - low) * share)
-    if given.form == "near":
-        way = rng.normal(size=(count, 3))
+    if given.form in ("log", "near"):
         size = np.exp(np.log(low) + (np.log(high) - np.log(low)) * share)
+        if given.form == "log":
+            return size
+        way = rng.normal(size=(count, 3))
         return get(given.other[0]) + way / length(way) * size[:, None]
     return direction(name, given, rng, count, get, low + (high - low) * share)
 

@@ -1,7 +1,7 @@
 """An assignment's questions: the same points for every student, drawn from a seed, a task's rows one behind the other.
 
-The rows of a question follow from the assignment alone: its regions in their order, the swapped rows of reciprocity, the
-directions of the energy's sum. So the judge knows what each row is for, and whoever answers does not.
+The rows of a question follow from the assignment alone: its regions in their order, the swapped rows of reciprocity,
+the directions of the energy's sum. So the judge knows what each row is for, and whoever answers does not.
 """
 
 import hashlib
@@ -16,7 +16,7 @@ from app.grade.question import Question
 
 PART = {"visible": False, "hidden": True}
 PUBLIC = "public"  # the seed of the visible points
-SUN = ((0.36, -0.48, 0.8), (-0.8, -0.36, 0.48))  # where the light of a picture is, of the visible and the hidden one
+SUN = ((0.36, 0.48, 0.8), (-0.8, 0.36, 0.48))  # where the light of a picture is, of the visible and the hidden one
 
 
 @dataclass(frozen=True)
@@ -102,18 +102,27 @@ def args_of(task: Task, assignment: str, seed: str, hidden: bool, language: str)
     return {name: np.concatenate([block[name] for block in blocks]) for name in task.arguments} if blocks else {}
 
 
+def places(picture: Picture) -> list[np.ndarray]:
+    """x and y of every pixel; the sphere has the radius 1."""
+    ticks = 2 * (np.arange(picture.size) + 0.5) / picture.size - 1
+    return list(np.meshgrid(1.05 * ticks, -1.05 * ticks))
+
+
+def mask_of(picture: Picture) -> np.ndarray:
+    """(size, size), where the sphere is."""
+    x, y = places(picture)
+    return x * x + y * y < 1
+
+
 def pixels(picture: Picture, arguments: tuple[str, ...], hidden: bool) -> tuple[dict[str, np.ndarray], np.ndarray]:
     """The arguments at the pixels of a sphere seen from +z, and the mask (size, size) of those on it."""
-    ticks = 2 * (np.arange(picture.size) + 0.5) / picture.size - 1
-    x, y = np.meshgrid(1.05 * ticks, -1.05 * ticks)
-    mask = x * x + y * y < 1
+    mask = mask_of(picture)
+    x, y = places(picture)
     n = np.stack([x[mask], y[mask], np.sqrt(1 - x[mask] ** 2 - y[mask] ** 2)], -1)
     count = len(n)
     rng = rng_of("picture", hidden)
     given = {"n": n, "v": np.repeat([[0.0, 0.0, 1.0]], count, 0), "l": np.repeat([SUN[hidden]], count, 0)}
     for name, domain in picture.args.items():
-        if name == "l" and domain.form != "fixed":
-            continue
         one = draw({name: domain}, rng, 1)[name]
         given[name] = np.repeat(one, count, 0)
     return {name: as_float32(given[name]) for name in arguments}, mask

@@ -79,4 +79,4 @@ def start(worker: str, layers: tuple[str, ...], limits: Limits, questions: int, 
              "memory": limits.memory, "out": out, "parent": os.getpid(), **(more or {})}
     command = [os.path.realpath(sys.executable), "-I", "-S", "-B", str(CHILD / "launch.py"), json.dumps(order)]
     return subprocess.Popen(command, stdin=questions, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=(out,),
-                            env=ENVIRONMENT, cwd="/")
+                            env=ENVIRONMENT, cwd="/", start_new_session=True)  # Ctrl-C is not for it

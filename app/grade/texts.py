@@ -46,10 +46,12 @@ def stub(task: Task, language: str) -> str:
         return given if language == "python" else standalone(given, task.function, helpers=True)
     if language == "python":
         many = f"(len({task.arguments[0]}), {task.width})" if task.width > 1 else f"len({task.arguments[0]})"
-        return f"import numpy as np\n\n\ndef {task.function}({', '.join(task.arguments)}):\n    return np.zeros({many})\n"
+        head = f"def {task.function}({', '.join(task.arguments)}):"
+        return f"import numpy as np\n\n\n{head}\n    return np.zeros({many})\n"
     signature = ", ".join(f"{KINDS[width]} {name}" for name, width in zip(task.arguments, task.widths, strict=True))
     kind = KINDS[task.width]
-    return f"{kind} {task.function}({signature}) {{\n    return {kind}(0.0);\n}}\n"
+    zero = "0.0" if task.width == 1 else f"{kind}(0.0)"
+    return f"{kind} {task.function}({signature}) {{\n    return {zero};\n}}\n"
 
 
 def units(task: Task) -> str:
@@ -74,35 +76,39 @@ def joined(parts: list[tuple[str, str]], language: str) -> str:
     kept: list[str] = []
     if language == "glsl":
         for _, text in parts:
-            lines = [shader.Line(line, "the text", i) for i, line in enumerate(text.rstrip().split("\n"), 1)]
-            for block in shader.blocks(lines):
-                one = "\n".join(line.text for line in block.lines).strip("\n")
+            for one in blocks(text.rstrip()).values():
                 if one not in kept:
                     kept.append(one)
         return "\n\n".join(kept) + "\n"
     imports: list[str] = []
     for _, text in parts:
         lines = text.strip("\n").split("\n")
-        imports += [line for line in lines if line.startswith(("import ", "from ")) and line not in imports]
-        body = "\n".join(line for line in lines if not line.startswith(("import ", "from "))).strip("\n")
-        kept.append(body)
+        imports += [line for line in lines if imported(line) and line not in imports]
+        kept.append("\n".join(line for line in lines if not imported(line)).strip("\n"))
     return "\n".join(imports) + "\n\n\n" + "\n\n\n".join(kept) + "\n"
+
+
+def imported(line: str) -> bool:
+    return line.startswith(("import ", "from "))
 
 
 def declares(text: str, language: str) -> dict[str, str]:
     """The names a text declares at its top, each with its own text: two texts may share what is the same in both."""
     if language == "python":
-        tree = ast.parse(text)
-        found = {}
-        for node in tree.body:
+        found: dict[str, str] = {}
+        for node in ast.parse(text).body:
             names = [node.name] if isinstance(node, (ast.FunctionDef, ast.ClassDef)) else [
                 one.id for target in getattr(node, "targets", ()) for one in ast.walk(target)
                 if isinstance(one, ast.Name)]
             found |= dict.fromkeys(names, ast.unparse(node))
         return found
+    return {name: one for names, one in blocks(text).items() for name in names}
+
+
+def blocks(text: str) -> dict[frozenset[str], str]:
+    """The top-level declarations of a GLSL text: what each names, and its own text."""
     lines = [shader.Line(line, "the text", i) for i, line in enumerate(text.split("\n"), 1)]
-    return {name: "\n".join(line.text for line in block.lines).strip() for block in shader.blocks(lines)
-            for name in block.names}
+    return {block.names: "\n".join(line.text for line in block.lines).strip("\n") for block in shader.blocks(lines)}
 
 
 def packed(texts: list[tuple[str, str]], language: str) -> list[list[int]]:
@@ -122,9 +128,28 @@ def packed(texts: list[tuple[str, str]], language: str) -> list[list[int]]:
 
 def standalone(text: str, function: str, helpers: bool = False) -> str:
     """GLSL with what it includes put in, as it is handed in: no line begins with #. `helpers`: the unused ones too."""
-    known = [name for name in shader.signatures("\n".join(line.text for line in shader.resolve(text, "the text")))]
+    known = list(shader.signatures("\n".join(line.text for line in shader.resolve(text, "the text"))))
     entry = (function, *(known if helpers and "#include" in text else ()), *(["PI"] if helpers else []))
     return shader.assemble(text, "the text", header=(), entry=entry).text.strip() + "\n"
+
+
+def inlined(text: str) -> str:
+    """GLSL with what it includes put in where the #include stood, on that one line: all others keep their numbers."""
+    if "#include" not in text:
+        return text
+    found = [""] * len(text.split("\n"))
+    foreign: list[str] = []
+    last = 0
+    lines = shader.resolve(text, "yours")
+    code = shader.strip_comments([line.text for line in lines])
+    for line, bare in zip(lines, code, strict=True):
+        if line.file != "yours":
+            foreign.append(bare.strip())
+            continue
+        if foreign:
+            found[last], foreign = " ".join(part for part in foreign if part), []
+        found[line.number - 1], last = line.text, line.number
+    return "\n".join(found)
 
 
 @cache

@@ -148,7 +148,7 @@ def ring_printed(theta, d_theta, candela_below, candela_above):
 
 
 UNSTABLE = {  # judged by where it is wrong, not by its digits
-    "d_beckmann": lambda **a: twin("d_beckmann_naive")(**a),
+    "d_beckmann": twin("d_beckmann_naive"),
     "solid_angle_triangle": triangle_printed,
     "solid_angle_cone": lambda half_angle: 2 * pi * (1 - np.cos(half_angle)),
     "solid_angle_sphere": lambda radius, distance: 2 * pi * (1 - np.sqrt(1 - (radius / distance) ** 2)),
@@ -176,6 +176,10 @@ def in_degrees(function: str):
 
     return {"solid_angle_triangle": (result,), "solid_angle_cone": (smaller, larger, result), "groove_open": (larger,),
             "solid_angle_patch_small": (larger,)}.get(function, (smaller, larger))  # what has a look of its own
+
+
+def encoded(function: str):
+    return lambda **a: np.maximum(twin(function)(**a), 0.0) ** (1 / 2.2)
 
 
 WITH_ANGLES = ("illuminance_isotropic", "illuminance_point", "spot_linear", "ies_ring_flux", "groove_open",
@@ -262,6 +266,5 @@ VARIANTS: dict[str, dict] = {
     "cone_full_angle": {"solid_angle_cone": lambda half_angle: 2 * pi * (1 - np.cos(2 * half_angle))},
     "patch_no_cosine": {"solid_angle_patch_small": lambda distance, tilt, width: (width / distance) ** 2 + 0 * tilt},
     "sphere_area": {"solid_angle_sphere": lambda radius, distance: 4 * pi * (radius / distance) ** 2},
-    "encoded": {name: (lambda f: lambda **a: np.maximum(twin(f)(**a), 0.0) ** (1 / 2.2))(name)
-                for name in ("radiance_lambert", "brdf_lambert")},
+    "encoded": {name: encoded(name) for name in ("radiance_lambert", "brdf_lambert")},
 }

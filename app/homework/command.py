@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from app.grade.assignment import Assignment, assignments, load
+from app.grade.assignment import Assignment, Task, assignments, load
 from app.grade.question import FILES
 from app.problem import Problem, Usage, near
 
@@ -64,7 +64,7 @@ def new(assignment: Assignment, language: str) -> int:
 
 
 def starter(assignment: Assignment, language: str) -> str:
-    from app.grade.texts import joined, stub
+    from app.grade.texts import imported, joined, stub
 
     mark = COMMENT[language]
     head = [f"{mark} halfway homework: {assignment.id}", f"{mark} {assignment.title}",
@@ -73,16 +73,21 @@ def starter(assignment: Assignment, language: str) -> str:
         head.append("# Every argument is an array of numpy, one row a point; so is what you return.")
     else:
         head.append("// Functions only: no #include, no uniforms. Every function is called once a point, in float32.")
-    parts = [(task.function, intended(task, language) + stub(task, language)) for task in assignment.tasks]
+    parts = []
+    for task in assignment.tasks:
+        lines = stub(task, language).split("\n")
+        code = "\n".join(line for line in lines if not imported(line)).lstrip("\n")
+        first = [line for line in lines if imported(line)] if language == "python" else []
+        parts.append((task.function, "\n".join([*first, *intended(task, language), code])))
     return "\n".join(head) + "\n\n" + joined(parts, language)
 
 
-def intended(task, language: str) -> str:
-    """What is asked, above a stub; a stub of the course's own making says it itself."""
+def intended(task: Task, language: str) -> list[str]:
+    """What is asked, above a stub."""
     from app.grade.texts import units, wrapped
 
     before = f"{COMMENT[language]} "
-    lines = [*wrapped(f"{task.text}", before), *wrapped(units(task), before)]
+    lines = [*wrapped(task.text, before), *wrapped(units(task), before)]
     if task.slide:
         lines.append(f"{before}Slide: {task.slide}")
-    return "\n".join(lines) + "\n"
+    return lines

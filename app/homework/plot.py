@@ -11,21 +11,11 @@ WIDTH, HEIGHT = 64, 11
 def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
     """Lines of text: the plot, its axes' ends and a legend. Values that are no numbers leave a gap, and are counted."""
     right, yours = sweep.expected, sweep.got
-    both = np.concatenate([right, yours])
-    finite = both[np.isfinite(both)]
-    if not len(finite):
+    sound = right[np.isfinite(right)]
+    if not len(sound):
         return []
-    log = bool(np.all(right[np.isfinite(right)] > 0)) and float(np.nanmax(right) / np.nanmin(right)) > 1e3
-    if log:
-        finite = finite[finite > 0]
-    # the student's may be anywhere: the axis shows the right values and three times as much
-    low, high = float(np.nanmin(right)), float(np.nanmax(right))
-    if log:
-        low, high = max(low, high * 1e-12), high * 10
-    else:
-        room = max(high - low, 0.05 * max(abs(high), abs(low)), 1e-300)
-        low, high = max(low - 1.5 * room, float(finite.min())), min(high + 1.5 * room, float(finite.max()))
-    low, high = (low, high) if high > low else (low - 1.0, high + 1.0)
+    log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
+    low, high = limits(sound, yours[np.isfinite(yours)], log)
     rows = [[" "] * width for _ in range(height)]
     outside = 0
     for values, glyph in ((right, RIGHT), (yours, YOURS)):
@@ -43,9 +33,9 @@ def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
                 rows[row][column] = BOTH
     edge = max(len(short(high)), len(short(low)))
     lines = []
-    for i, row in enumerate(rows):
+    for i, cells in enumerate(rows):
         name = short(high) if i == 0 else short(low) if i == height - 1 else ""
-        lines.append(f"{name:>{edge}} │{''.join(row).rstrip()}")
+        lines.append(f"{name:>{edge}} │{''.join(cells).rstrip()}")
     ends = short(sweep.at[0]), short(sweep.at[-1])
     lines.append(f"{'':>{edge}} └{'─' * width}")
     middle = f"{sweep.label}{' (log)' if sweep.log else ''}"
@@ -54,6 +44,20 @@ def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
     if outside:
         legend += f"   ({outside} of yours lie outside or are no numbers)"
     return [*lines, f"{'':>{edge}}  {legend}"]
+
+
+def limits(right: np.ndarray, yours: np.ndarray, log: bool) -> tuple[float, float]:
+    """The ends of the axis: all right values, and the student's where they are not too far off."""
+    low, high = float(right.min()), float(right.max())
+    if log:
+        low = max(low, high * 1e-12)
+        near = yours[(yours >= low / 30) & (yours <= high * 30)]
+    else:
+        room = 4 * max(high - low, 0.25 * max(abs(high), abs(low)), 1e-300)
+        near = yours[(yours >= low - room) & (yours <= high + room)]
+    if len(near):
+        low, high = min(low, float(near.min())), max(high, float(near.max()))
+    return (low, high) if high > low else (low - 1.0, high + 1.0) if not log else (low / 2, low * 2)
 
 
 def short(value: float) -> str:

@@ -115,8 +115,9 @@ def albedo_cook_torrance(theta_v, m, f0):
     int f n.l dw_l = int 2 x e^(-x^2) J / (pi cos a n.v) dx, x = tan a / m, J = int G u F dphi from 0 to pi, u = l.h:
     G u is made of at most three straight pieces of u, and F is a polynomial of it, so J is in closed form
 
-    theta_v (...) rad below pi/2, m (...) RMS slope, f0 (...). Returns (...), at most 1. Errors: none; m below 1e-5 is
-    taken as 1e-5. Source: derived for this course; 24 Gauss-Legendre nodes for each piece of x between its bends.
+    theta_v (...) rad below pi/2, m (...) RMS slope, f0 (...). Returns (...), at most 1. Errors: rounding over n.v; m
+    below 1e-5 is taken as 1e-5. Source: derived for this course; 24 Gauss-Legendre nodes for each piece of x
+    between its bends.
     """
     return _albedo(theta_v, m, f0, 24)[0]
 

@@ -47,7 +47,8 @@ class EffortsPart:
     def measure(self, values: dict, fine: bool) -> None:
         """The study at the step's own values, at once or, while the hand rests, with more time; kept for both."""
         study = replace(self.plot, worst={})
-        key = study.title, tuple(sorted((name, str(values[name])) for name in inputs(study) if name in values))
+        key = study.title, tuple(sorted((name, np.asarray(values[name]).tobytes()) for name in inputs(study)
+                                         if name in values))
         known = KEPT.get(key)
         if known is None or (fine and known[0] < LIVE[fine]):
             known = KEPT[key] = LIVE[fine], measure(study, values, LIVE[fine])
@@ -236,22 +237,20 @@ def lasting(k: int) -> str:
 def strokes(canvas: np.ndarray, look: Look, lines: list, place) -> np.ndarray:
     """The lines between a method's points, and the quartiles of each time; drawn large and reduced."""
     height, width = canvas.shape[:2]
-    big = Image.new("RGBA", (FINE * width, FINE * height), (*bytes3(look.background), 0))
+    fine = FINE if height < 500 else FINE // 2  # a large picture has lines enough pixels wide
+    big = Image.fromarray(canvas).resize((fine * width, fine * height), Image.Resampling.NEAREST)
     draw = ImageDraw.Draw(big)
-    thick = max(1, round(0.55 * FINE * look.line))
+    thick = max(1, round(0.55 * fine * look.line))
     for line, _, colour in lines:
-        ink = (*bytes3(colour), 255)
+        ink = bytes3(colour)
         errors = [shown(line, p) for p in line.points]
-        at = FINE * place([p.time for p in line.points], errors)
+        at = fine * place([p.time for p in line.points], errors)
         if len(at) > 1:
             draw.line([tuple(p) for p in at], ink, thick, joint="curve")
         for point, error in zip(line.points, errors, strict=True):
-            (x0, y), (x1, _) = FINE * place(list(point.spread), [error, error])
+            (x0, y), (x1, _) = fine * place(list(point.spread), [error, error])
             draw.line((x0, y, x1, y), ink, thick)
-    image = Image.fromarray(canvas)
-    small = big.resize((width, height), Image.Resampling.LANCZOS)
-    image.paste(small, (0, 0), small)
-    return np.array(image)
+    return np.array(big.reduce(fine))
 
 
 def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.ndarray:

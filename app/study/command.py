@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from app.catalog import LoadedStep, steps
 from app.lesson import Study
@@ -14,9 +15,11 @@ from app.problem import Problem, Usage, near
 from app.study.measure import cases, measure
 from app.study.record import Record
 
+if TYPE_CHECKING:
+    from app.study.report import Report
+
 BUDGET, LEAST_BUDGET = 100.0, 2.0  # s
-DRAWING = 0.4  # s that a record's pictures take
-STARTING = 0.8  # s before the first line of this runs
+STARTING, ENDING = 0.8, 0.5  # s before the first line of this runs, and for the page
 INTERRUPTED = 130
 
 
@@ -43,26 +46,21 @@ def run(options: argparse.Namespace) -> int:
     if not options.budget >= LEAST_BUDGET:
         raise Usage(f"--budget {options.budget:g}: a study needs at least {LEAST_BUDGET:g} seconds.")
     chosen = list(jobs(options.topics))
-    folder = None
+    report = None
     if options.output:
         from app.export.target import make_folder
+        from app.study.report import Report
 
-        folder = make_folder(options.output)
-    end = begin + options.budget - (DRAWING * len(chosen) if folder else 0.0)
+        report = Report(make_folder(options.output))
     from app.study.machine import machine
 
-    done, problems, code = measured(chosen, end)
+    done, problems, code = measured(chosen, begin + options.budget - ENDING, report)
     ran = machine(any(record.where != "CPU" for _, record in done))
     tell([record for _, record in done], ran, options.json)
     for problem in problems:
         print(f"halfway: {problem}", file=sys.stderr)
-    if folder is not None and done:
-        from app.export import target
-        from app.study.report import save
-
-        target.write(folder / "study.json", text([record for _, record in done], ran).encode())
-        save(done, folder, ran)
-        print(f"{folder / 'index.html'}", file=sys.stderr)
+    if report is not None and done:
+        print(report.save(ran, text([record for _, record in done], ran)), file=sys.stderr)
     return code or (1 if problems else 0)
 
 
@@ -94,7 +92,8 @@ def jobs(topics: list[str]) -> Iterator[Job]:
             yield Job(found, study, case, base | given, "GPU")
 
 
-def measured(chosen: list[Job], end: float) -> tuple[list[tuple[Study, Record]], list[Problem], int]:
+def measured(chosen: list[Job], end: float, report: "Report | None" = None
+             ) -> tuple[list[tuple[Study, Record]], list[Problem], int]:
     """Each job with its share of what time is left; an interruption keeps what is done."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -102,6 +101,7 @@ def measured(chosen: list[Job], end: float) -> tuple[list[tuple[Study, Record]],
     warm()
 
     done: list[tuple[Study, Record]] = []
+    drawing = 0.3 if report else 0.0  # s that the pictures of a record take
     problems: list[Problem] = []
     bar = Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
                    console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty())
@@ -111,11 +111,23 @@ def measured(chosen: list[Job], end: float) -> tuple[list[tuple[Study, Record]],
             for i, job in enumerate(chosen):
                 words = ", ".join(filter(None, (job.found.id, job.case, "" if job.where == "CPU" else job.where)))
                 bar.update(task, description=words)
-                share = max(end - perf_counter(), 0.0) / (len(chosen) - i)
+                left = end - perf_counter()
+                if i and left <= drawing:
+                    skipped = len(chosen) - i
+                    problems.append(Problem(f"the budget was up before {skipped} of {len(chosen)} studies began, from "
+                                            f"{words} on; name topics, or give more with --budget."))
+                    break
+                share = max(left / (len(chosen) - i) - drawing, 0.0)
                 try:
-                    done.append((job.study, record_of(job, share)))
+                    record = record_of(job, share)
                 except Problem as problem:
                     problems.append(problem)
+                    continue
+                if report:
+                    start = perf_counter()
+                    report.add(job.study, record)
+                    drawing = 0.5 * (drawing + perf_counter() - start)
+                done.append((job.study, record))
                 bar.advance(task)
     except KeyboardInterrupt:
         return done, problems, INTERRUPTED

@@ -121,11 +121,11 @@ class Integral:
     # --- the sphere and the spectrum ---------------------------------------------------------------------------------
     def whole(self, s, t):
         if self.study.over == "angles":
-            return 4 * pi * self.at(theta=np.arccos(np.clip(1 - 2 * s, -1, 1)), phi=2 * pi * t)
+            return 4 * pi * self.at(theta=np.arccos(np.clip(1 - 2 * s, -1, 1)), phi=2 * pi * t - pi)
         return 4 * pi * self.above(turned(1 - 2 * s, 2 * np.sqrt(s * (1 - s)), t))
 
     def whole_angles(self, s, t):
-        return 2 * pi * pi * self.at(theta=pi * s, phi=2 * pi * t) * np.sin(pi * s)
+        return 2 * pi * pi * self.at(theta=pi * s, phi=2 * pi * t - pi) * np.sin(pi * s)
 
     def line(self, s, t):
         low, high = VISIBLE

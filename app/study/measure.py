@@ -13,6 +13,7 @@ from time import perf_counter
 import numpy as np
 
 from app.lesson import Method, Study, Term
+from app.plots.ticks import number
 from app.quantities import TABLE, entered
 from app.spoken import plain
 from app.study.record import Line, Point, Record
@@ -161,7 +162,7 @@ def words(given: dict, choices: dict[str, tuple[str, ...]] | None = None) -> str
         if choices and name in choices:
             return choices[name][int(value)]
         q = TABLE[name]
-        shown = f"{np.degrees(value):.3g}°" if q.is_angle else f"{value:.4g} {q.screen_unit}".strip()
+        shown = f"{np.degrees(value):.3g}°" if q.is_angle else f"{number(value)} {q.screen_unit}".strip()
         return f"{plain(q.symbol)} = {shown}"
 
     return ", ".join(one(name, value) for name, value in given.items())

@@ -21,9 +21,8 @@ def swept(study: Study) -> frozenset[str]:
 
 def inputs(study: Study) -> frozenset[str]:
     """The values it depends on: not those that a method sets itself, as a cost, a seed or its kind."""
-    drawn = [Term(f"{kind}_{study.sampler}") for kind in ("sample", "pdf") if study.sampler]
-    found = {study.width} if isinstance(study.width, str) else set()
-    for term in (*terms(study), *drawn):
+    found = {study.width} if isinstance(study.width, str) and study.width else set()
+    for term in terms(study):  # a sampler draws from what is integrated, with its arguments
         given = [term.args.get(name, name) for name in arguments(term.function)]
         found |= {name for name in given if isinstance(name, str)}
-    return frozenset((found | {"theta_v"} if study.over == "directions" else found) - swept(study))
+    return frozenset((found | {"theta_v"} if found & {"v", "n_dot_v"} else found) - swept(study))

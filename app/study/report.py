@@ -28,23 +28,32 @@ td.first { font-weight: 700; }
 """
 
 
-def file_of(record: Record, theme: str) -> str:
-    words = "".join(c if c.isalnum() or c in ".-" else "_" for c in record.name.replace(" = ", "=").replace(", ", "-"))
-    return f"{words}{'' if theme == 'light' else '-' + theme}.png"
+class Report:
+    """A folder that fills while the studies are measured: a PNG for each record and theme, at the end the page."""
 
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.parts: list[str] = []
+        self.outline: dict[str, list[str]] = {}  # the links to its cases, by a study's title
 
-def save(records: list[tuple[Study, Record]], folder: Path, machine: dict) -> None:
-    """index.html and a PNG for each record and theme."""
-    parts, outline = [], []
-    for i, (study, record) in enumerate(records):
-        shots = {}
-        for theme in ("light", "dark"):
+    def add(self, study: Study, record: Record) -> None:
+        links = self.outline.setdefault(record.title, [])
+        file, number, shots = f"{record.step.replace('/', '_')}-{len(links) + 1}", len(self.parts), {}
+        for theme, tail in (("light", ""), ("dark", "-dark")):
             shots[theme] = png(whole(study, record, SIZE, THEMES[theme]))
-            target.write(folder / file_of(record, theme), shots[theme])
-        title = escape(record.title if record.where == "CPU" else f"{record.title}, as pixels on the GPU")
-        outline.append(f'<li><a href="#s{i}">{title}: {escape(record.case or record.step)}</a></li>')
-        parts.append(section(i, title, record, shots))
-    target.write(folder / "index.html", page(outline, parts, machine).encode())
+            target.write(self.folder / f"{file}{tail}.png", shots[theme])
+        where = "" if record.where == "CPU" else ", pixels on the GPU"
+        links.append(f'<a href="#s{number}">{escape((record.case or record.step) + where)}</a>')
+        self.parts.append(section(number, escape(record.title + where), record, shots))
+
+    def save(self, machine: dict, data: str) -> Path:
+        """study.json and index.html."""
+        target.write(self.folder / "study.json", data.encode())
+        index = self.folder / "index.html"
+        target.write(index, page([
+            f"<li>{escape(title.partition(': ')[2] or title)}: {', '.join(links)}</li>"
+            for title, links in self.outline.items()], self.parts, machine).encode())
+        return index
 
 
 def section(number: int, title: str, record: Record, shots: dict[str, bytes]) -> str:

@@ -11,6 +11,7 @@ from app.viewer import style
 
 Language = Literal["glsl", "python"]
 Marker = tuple[int, str]  # a line, from 1, and what is wrong there
+MARGIN = 8  # letters that line numbers and the scroll bar take
 START = edit.TextEditor.DocPos(0, 0)
 
 
@@ -19,7 +20,8 @@ class CodeEditor:
 
     def __init__(self, text: str = "", language: Language = "glsl", on_change: Callable[[str], None] | None = None,
                  read_only: bool = False):
-        self.on_change, self.text, self.markers = on_change, text, ()
+        self.on_change, self.text = on_change, text.rstrip("\n")
+        self.markers: tuple[Marker, ...] = ()
         self.theme = ""
         self.widget = edit.TextEditor()
         languages = edit.TextEditor.Language
@@ -32,10 +34,11 @@ class CodeEditor:
         self.widget.set_word_wrap_enabled(True)
         self.widget.set_show_line_numbers_enabled(not read_only)
         self.widget.set_read_only_enabled(read_only)
-        self.widget.set_text(text)
+        self.widget.set_text(self.text)
 
     def set(self, text: str) -> None:
         """Another text in place of this one; Ctrl+Z goes back to what was there."""
+        text = text.rstrip("\n")
         if text != self.text:
             last = self.widget.get_line_count() - 1
             end = edit.TextEditor.DocPos(last, len(self.widget.get_line_text(last)))
@@ -62,22 +65,33 @@ class CodeEditor:
     def focus(self) -> None:
         self.widget.set_focus()
 
-    def height(self) -> float:
-        """What its lines need, without wrapping; to be asked with the code's font pushed."""
-        return (self.widget.get_line_count() + 0.6) * imgui.get_text_line_height()
+    def height(self, width: float) -> float:
+        """What its lines need in a column of this width, and one more to type into."""
+        imgui.push_font(style.code_font(), text_size())
+        letter, line = imgui.calc_text_size("m").x, imgui.get_text_line_height()
+        imgui.pop_font()
+        columns = max(int(width / letter) - MARGIN, 8)
+        rows = sum(1 + len(text) // columns for text in self.text.split("\n"))
+        return (rows + 2) * line
 
     def draw(self, name: str, size: ImVec2, theme: Theme) -> None:
         if theme.name != self.theme:
             self.theme = theme.name
             dark, light = edit.TextEditor.get_dark_palette(), edit.TextEditor.get_light_palette()
             self.widget.set_palette(dark if theme.name == "dark" else light)
-        imgui.push_font(style.code_font(), imgui.get_style().font_size_base)
-        self.widget.render(name, size, imgui.ChildFlags_.borders)
+        imgui.push_font(style.code_font(), text_size())
+        self.widget.render(name, size, imgui.ChildFlags_.borders, imgui.WindowFlags_.no_move)
         imgui.pop_font()
         if self.widget.is_read_only_enabled():
             return
-        now = self.widget.get_text()
+        now = self.widget.get_text().rstrip("\n")  # it ends the last line too
         if now != self.text:
             self.text = now
             if self.on_change:
                 self.on_change(now)
+
+
+def text_size() -> float:
+    """Its letters are narrow: a little larger than the text's, where that is not large already."""
+    base = imgui.get_style().font_size_base
+    return max(base, min(1.12 * base, 22.0))

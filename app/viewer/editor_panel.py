@@ -1,14 +1,16 @@
 """The editor of the step's GLSL, in the place of the prose: a function is typed, and picture, plots, numbers follow."""
 
+import time
+
 from imgui_bundle import ImVec2, imgui
 
-from app import edit
+from app import edit, own_models
 from app.edit import SCENE, Function
 from app.problem import Problem
-from app.viewer import style
+from app.viewer import style, text_panel
 from app.viewer.code_editor import CodeEditor
-from app.viewer.text_panel import heading
 
+MOST = 0.55  # of the column, the code
 REST = 0.5  # seconds without a key until what was typed is on disk
 
 
@@ -19,7 +21,9 @@ class EditorPanel:
         self.chosen: dict[str, str] = {}  # step -> the function that was edited last
         self.widget: CodeEditor | None = None
         self.of: tuple[str, str] = ("", "")  # the step and the function in the widget
+        self.typed_at = 0.0  # 0: what was typed is on disk
         self.name = ""  # to save under
+        self.listed: list[own_models.Saved] = []
 
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def toggle(self) -> None:
@@ -44,6 +48,7 @@ class EditorPanel:
     def typed(self, text: str) -> None:
         """What was typed runs at once, so that the next picture shows it."""
         self.app.session.type(self.of[1], text)
+        self.typed_at = time.monotonic()
         self.app.own.write()
 
     def restore(self) -> None:
@@ -57,7 +62,6 @@ class EditorPanel:
     # --- how it looks ------------------------------------------------------------------------------------------------
     def draw(self) -> None:
         session, name = self.app.session, self.function
-        heading("Edit live", 1.35)
         if not name:
             imgui.text_wrapped("This step compiles no function that could be edited.")
             return
@@ -69,11 +73,14 @@ class EditorPanel:
         self.widget.set(session.text(name))
         wrong = self.app.own.wrong
         self.widget.mark(edit.complaints(wrong, name), self.app.theme)
-        unit = imgui.get_font_size()
-        below = 7.6 * unit if wrong else 5.4 * unit
-        self.widget.draw("code", ImVec2(0, max(imgui.get_content_region_avail().y - below, 6 * unit)), self.app.theme)
+        room = imgui.get_content_region_avail()
+        self.widget.draw("code", ImVec2(0, min(self.widget.height(room.x), MOST * room.y)), self.app.theme)
         self.verdict(wrong, name)
         self.buttons(name)
+        imgui.separator()
+        imgui.begin_child("prose")
+        text_panel.draw(self.app)
+        imgui.end_child()
 
     def choice(self, function: Function) -> None:
         """Which function: those edited have a mark."""
@@ -99,12 +106,12 @@ class EditorPanel:
         session, theme = self.app.session, self.app.theme
         if wrong:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("r", theme)))
-            imgui.text_wrapped(wrong.replace(f"{edit.YOURS}{name}, ", "").replace("error: ", ""))
+            imgui.text_wrapped(edit.first_complaint(wrong, name))
             imgui.pop_style_color()
             imgui.text_disabled("The picture shows the last text that ran.")
         elif session.visit.running:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("v", theme)))
-            imgui.text_wrapped("Your text runs: picture, plots and numbers follow it.")
+            imgui.text_wrapped("Your text runs, and all that is yours follows it.")
             imgui.pop_style_color()
         else:
             imgui.text_disabled("The course's text. Type, and the picture follows.")
@@ -123,3 +130,54 @@ class EditorPanel:
             self.is_open = False
         if imgui.is_item_hovered():
             imgui.set_tooltip("Esc, or E outside the text")
+        unit = imgui.get_font_size()
+        if imgui.get_content_region_avail().x > 25 * unit:
+            imgui.same_line(0, 1.2 * unit)
+        imgui.set_next_item_width(7 * unit)
+        entered, self.name = imgui.input_text_with_hint("##name", "my_model", self.name,
+                                                        imgui.InputTextFlags_.enter_returns_true)
+        imgui.same_line()
+        imgui.begin_disabled(not visit.running)
+        if imgui.button("Save") or (entered and visit.running):
+            self.save()
+        imgui.end_disabled()
+        if imgui.is_item_hovered(imgui.HoveredFlags_.allow_when_disabled):
+            imgui.set_tooltip(f"Your text as a model of your own, in {own_models.folder()};\n"
+                              f"`halfway board {self.name or 'my_model'}` opens it.")
+        imgui.same_line()
+        if imgui.button("Open"):
+            self.listed = own_models.saved()
+            imgui.open_popup("saved")
+        self.opened()
+
+    def save(self) -> None:
+        app = self.app
+        try:
+            path = own_models.save(self.name, app.session.current, app.session.visit.running, app.session.values)
+            app.message = f"saved as {path.name}" + (f"; halfway board {self.name}" if path.suffix == ".brdf" else "")
+        except Problem as problem:
+            app.message = str(problem)
+
+    def opened(self) -> None:
+        """What was saved: a click goes to its step and puts the texts there."""
+        if not imgui.begin_popup("saved"):
+            return
+        if not self.listed:
+            imgui.text_disabled("Nothing is saved yet.")
+        for one in self.listed:
+            if imgui.selectable(f"{one.name}   {', '.join(one.texts)} of {one.step}", False)[0]:
+                self.reopen(one)
+        imgui.end_popup()
+
+    def reopen(self, one: own_models.Saved) -> None:
+        app = self.app
+        if app.session.current.id != one.step:
+            app.go(one.step)
+        try:
+            for name, text in one.texts.items():
+                app.session.put_aside(name)
+                app.session.type(name, text)
+                self.open(name)
+        except Problem as problem:
+            app.message = f"{one.name}: {problem}"
+        self.name = one.name

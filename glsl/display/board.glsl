@@ -84,7 +84,7 @@ vec3 board_normal(Surface s) {
 }
 
 vec3 as_colour(vec3 w) {
-    vec3 c = 0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye()));
+    vec3 c = max(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), 0.0);
     return c * (0.0125 + c * (0.6822 + c * 0.3053)); // about the power 2.2, which is dear on a CPU
 }
 

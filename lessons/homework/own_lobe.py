@@ -9,8 +9,12 @@ def lobe_power(n_dot_h, exponent):
     return np.where(up, np.exp(exponent * np.log(np.where(up, n_dot_h, 1.0))), 0.0)
 
 
+def _not_clamped(n_dot_h, exponent):
+    return np.power(n_dot_h, exponent)
+
+
 MISCONCEPTIONS = {
-    "rv_not_clamped": {"lobe_power": lambda n_dot_h, exponent: np.power(n_dot_h, exponent)},
+    "rv_not_clamped": {"lobe_power": _not_clamped},
     "abs_for_max": {"message": "A cosine below 0 is behind the surface: take the larger of it and 0, not its size.",
                     "lobe_power": lambda n_dot_h, exponent: np.abs(n_dot_h) ** exponent},
 }

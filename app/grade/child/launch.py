@@ -43,7 +43,6 @@ def limits(order: dict) -> None:
 def lock(order: dict) -> None:
     layers = order["layers"]
     os.chdir("/")
-    os.setsid()
     os.umask(0o077)
     if "limits" in layers:
         limits(order)

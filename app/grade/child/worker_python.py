@@ -105,5 +105,11 @@ def main(order: dict) -> None:
 
 
 def missing(name: str, names: dict) -> str:
-    same = [str(other)[:80] for other in names if type(other) is str and other.lower() == name.lower()]
-    return f"there is no function {name}" + (f"; {same[0]} is another name" if same else "")
+    """What there is instead: another case, or letters of another alphabet that look the same."""
+    for other in names:
+        if type(other) is str and other.lower() == name.lower():
+            return f"there is no function {name}; {other} is another name"
+        if type(other) is str and len(other) == len(name) and not other.isascii() and all(
+                a == b or not a.isascii() for a, b in zip(other, name, strict=True)):
+            return f"there is no function {name}; one that looks like it has letters of another alphabet in its name"
+    return f"there is no function {name}"
