@@ -4,7 +4,7 @@ import moderngl
 import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, ModelPlot, Plot, Slice
 from app.plots import PlotDied, PlotProcess
 from app.problem import Problem
 from app.theme import rgb
@@ -94,7 +94,7 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-        triangles = values.get("triangles")
+        triangles = None if isinstance(plot, ModelPlot) else values.get("triangles")  # a model is of no mesh
         shown = {k: v for k, v in values.items() if k != "triangles"}
         known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
         wanted = found.id, plot.title, known, size, theme.name, camera

@@ -12,6 +12,7 @@ from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
 from app.catalog import BOARD
+from app.gpu.context import adopt, step_aside
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
@@ -70,10 +71,12 @@ class Window:
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
+        step_aside()
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        adopt(self.ctx)
         self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         glfw.least_size(*LEAST)
         self.drop_callback = glfw.on_drop(self.dropped.extend)
@@ -87,6 +90,7 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+        adopt(None)
 
     def after_swap(self) -> None:
         """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
