@@ -67,7 +67,7 @@ def test_a_file_is_dropped_examined_and_left(tmp_path):
         assert [n.label for n in on_gl(engine, window, window.numbers)] == ["f, tinted", "f, cook_torrance"]
         session.set("model", 1)
         frames(engine, 3)
-        assert [n.label for n in window.board.figures[1]] == ["D", "G", "F", "denominator"]
+        assert [n.label for n in window.board.figures[1]] == ["D", "G", "F", "4 (n·l)(n·v)"]
 
         at = a_click_picks(engine, window)
 

@@ -14,7 +14,8 @@ import numpy as np
 from app.board import settings
 from app.board.board_values import specs
 from app.board.brdf_file import Default
-from app.board.factors import PARTS, factors
+from app.board.course_model import CourseModel
+from app.board.factors import factors, labels
 from app.board.models import BoardModel, opened
 from app.board.scene_text import scene
 from app.board.terms import LUMINANCE, channel_of, packed
@@ -67,8 +68,10 @@ class Entry:
     @property
     def factors(self) -> tuple[Readout, ...]:
         """D, G, F and the denominator of a model of the course that is made of them."""
-        return tuple(Readout(part, term, unit="1/sr" if part == "D" else "")
-                     for part, term in zip(PARTS, factors(self.label, self.prefix), strict=False))
+        if not isinstance(self.model, CourseModel):
+            return ()
+        terms = zip(labels(self.model.name), factors(self.model.name, self.prefix), strict=True)
+        return tuple(Readout(label, term, unit="1/sr" if label == "D" else "") for label, term in terms)
 
 
 @dataclass(frozen=True, eq=False)
