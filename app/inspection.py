@@ -10,9 +10,11 @@ from app.badges import as_json, of_model
 from app.catalog import LoadedStep, step
 from app.gpu.stage_text import Programs, programs, vertices
 from app.lesson import Scene
+from app.problem import Usage
 from app.state import parse
 
 ATTRIBUTE = re.compile(r"^\s*(?:flat\s+)?in\s+(\w+)\s+(\w+)\s*;", re.M)
+VARYING = re.compile(r"^\s*(?:flat\s+)?out\s+\w+\s+(\w+)\s*;", re.M)
 DRAWN = {"surface": "surfaces", "mesh": "meshes", "dots": "clouds of dots", "mark": "marks",
          "probe": "points asked for", "anchor": "labels placed"}
 
@@ -48,11 +50,19 @@ class Inspection:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
+    parser.add_argument("step", metavar="STEP", nargs="?", default="", help="chapter/step, or a state string")
+    parser.add_argument("--all", action="store_true",
+                        help="every step: what it compiles, what lies about, and its cost beside everything on")
     parser.add_argument("--json", action="store_true", help="print it as JSON")
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.all == bool(options.step):
+        raise Usage("halfway inspect wants a step, or --all for all of them.")
+    if options.all:
+        from app.inspect_all import run as run_all
+
+        return run_all(options)
     state = parse(options.step)
     found = inspect(step(state.step), state.values)
     print(json.dumps(asdict(found), indent=1, ensure_ascii=False) if options.json else words(found))
@@ -131,7 +141,7 @@ def left_out(found: LoadedStep, functions: set[str], files: set[str]) -> tuple[s
         said.append(f"{', '.join(sorted(files))}: included by others, and nothing of it is used.")
     if not any(surface.mesh for surface in scene.surfaces):
         said.append("trimesh: the scene has no mesh.")
-    if not scene.tables:
+    if not any(table.files for table in scene.tables):
         said.append("the reader of IES files: the scene has no measured luminaire.")
     said += [f"the program for {DRAWN[name]}: the scene has none." for name, n in drawn(scene).items() if not n]
     said.append("pyrender: no second renderer is compared here.")
@@ -153,7 +163,21 @@ def faults(found: LoadedStep, texts: Programs) -> tuple[str, ...]:
           if name not in called),
         *(f"{where}: the table {table.uniform} is named and not used." for table in found.step.scene.tables
           if table.uniform not in used),
-        *(f"{where}: nothing of {file} is used." for file in sorted(direct & idle_files(texts))))
+        *(f"{where}: nothing of {file} is used." for file in sorted(direct & idle_files(texts))),
+        *(f"{where}: the pass {name} is compiled and nothing is drawn with it." for name in texts
+          if not drawn(found.step.scene)[name]),
+        *(f"{where}: {sentence}" for name, pair in texts.items() for sentence in unread(name, *pair)))
+
+
+def unread(name: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> tuple[str, ...]:
+    """Attributes the vertex text does not read, and varyings the fragment text does not."""
+    def idle(words: list[str], text: str) -> list[str]:
+        return [word for word in words if len(re.findall(rf"\b{word}\b", text)) < 2]  # once where it is declared
+
+    attributes = idle([word for _, word in ATTRIBUTE.findall(vertex.text)], vertex.text)
+    varyings = idle(VARYING.findall(vertex.text), fragment.text) if fragment else []
+    return (*(f"the attribute {word} of the pass {name} is not read." for word in attributes),
+            *(f"the varying {word} of the pass {name} is not read." for word in varyings))
 
 
 def idle_files(texts: Programs) -> set[str]:

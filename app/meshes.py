@@ -7,7 +7,7 @@ import logging
 import re
 import warnings
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from io import BytesIO
@@ -35,6 +35,13 @@ class Mesh:
     triangles: np.ndarray  # (F, 3, 3) float64, read only
     closed: bool  # each edge is run through as often one way as the other: 4 pi from inside, 0 from outside
     note: str  # what a person should know about it, in words
+    texture_coordinates: np.ndarray | None = None  # (F, 3, 3): s, t and 1 of each corner; None: the file has none
+
+    @property
+    def data(self) -> dict[str, np.ndarray]:
+        """What values carry of it."""
+        own = self.texture_coordinates
+        return {"triangles": self.triangles} | ({} if own is None else {"texture_coordinates": own})
 
 
 @cache
@@ -60,17 +67,19 @@ def load(path: str | Path) -> Mesh:
         mesh_files.explain(path, kind, data)
         raise Problem(f"{path}: this is not a whole {kind.upper()} file ({mesh_files.plain(error)}); "
                       "export the mesh again, or open it in Blender or MeshLab to see what is left of it.") from None
-    for vertices, faces in parts:
+    for vertices, faces, _ in parts:
         wrong = int(((faces < 0) | (faces >= len(vertices))).any(axis=1).sum())
         if wrong:
             mesh_files.explain(path, kind, data)
             raise Problem(f"{path}: {wrong} of its {len(faces)} faces use a corner that does not exist "
                           f"(there are {len(vertices)}); export the mesh again.")
-    missing = mesh_files.promised(kind, data) - sum(len(faces) for _, faces in parts)
+    missing = mesh_files.promised(kind, data) - sum(len(faces) for _, faces, _ in parts)
     if missing > 0:
         left_out.append(f"{missing} damaged face{'s' if missing > 1 else ''}")
-    triangles = np.concatenate([np.zeros((0, 3, 3)), *(vertices[faces] for vertices, faces in parts)])
-    return tidy(path, triangles, kind, left_out)
+    triangles = np.concatenate([np.zeros((0, 3, 3)), *(vertices[faces] for vertices, faces, _ in parts)])
+    flat = [np.pad(uv[faces], ((0, 0), (0, 0), (0, 1)), constant_values=1) for _, faces, uv in parts if uv is not None]
+    whole = len(flat) == len(parts) and np.isfinite(np.concatenate([np.zeros((0, 3, 3)), *flat])).all()
+    return tidy(path, triangles, kind, left_out, np.concatenate(flat) if flat and whole else None)
 
 
 @contextmanager
@@ -88,7 +97,7 @@ def hushed() -> Iterator[None]:
         log.disabled = before
 
 
-Parts = list[tuple[np.ndarray, np.ndarray]]  # vertices (V, 3) and faces (F, 3)
+Parts = list[tuple[np.ndarray, np.ndarray, np.ndarray | None]]  # vertices (V, 3), faces (F, 3), coordinates (V, 2)
 
 
 def parse(path: Path, data: bytes, kind: str) -> tuple[Parts, list[str]]:
@@ -98,6 +107,9 @@ def parse(path: Path, data: bytes, kind: str) -> tuple[Parts, list[str]]:
     if kind == "obj":
         data = re.sub(rb"#[^\n]*", b"", data)  # trimesh stumbles over a remark behind a corner
     scene = trimesh.load_scene(BytesIO(data), file_type=kind, process=False, skip_materials=True)
+    if kind == "glb" and b"TEXCOORD_0" in data:  # trimesh drops them with the materials
+        with suppress(Exception):  # whatever a picture in the file does to its reader
+            scene = trimesh.load_scene(BytesIO(data), file_type=kind, process=False)
     parts, left_out = [], []
     for node in scene.graph.nodes_geometry:
         place, name = scene.graph[node]
@@ -109,14 +121,16 @@ def parse(path: Path, data: bytes, kind: str) -> tuple[Parts, list[str]]:
                 raise ValueError("its corners are not three numbers each")
             if not np.array_equal(place, np.eye(4)):
                 vertices = vertices @ place[:3, :3].T + place[:3, 3]
-            parts.append((vertices, faces[:, ::-1] if np.linalg.det(place[:3, :3]) < 0 else faces))
-            mesh_files.limit(path, sum(len(faces) for _, faces in parts))
+            uv = getattr(shape.visual, "uv", None)
+            uv = None if uv is None or np.shape(uv) != (len(vertices), 2) else np.asarray(uv, float)
+            parts.append((vertices, faces[:, ::-1] if np.linalg.det(place[:3, :3]) < 0 else faces, uv))
+            mesh_files.limit(path, sum(len(faces) for _, faces, _ in parts))
         else:
             left_out.append("a set of points" if isinstance(shape, trimesh.PointCloud) else "a set of lines")
     return parts, left_out
 
 
-def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str]) -> Mesh:
+def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str], uv: np.ndarray | None = None) -> Mesh:
     """Check the numbers, fit the mesh to radius 1, and say in words what was done to it."""
     if not len(triangles):
         only = f", only {' and '.join(dict.fromkeys(left_out))}" if left_out else ""
@@ -153,11 +167,13 @@ def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str]) -> M
         raise Problem(f"{path}: none of its {len(flat)} triangles has an area; export a surface made of faces.")
     if flat.any():
         notes.append(f"{int(flat.sum())} triangles without area left out")
-        triangles = triangles[~flat]
+        triangles, uv = triangles[~flat], None if uv is None else uv[~flat]
     if closed and np.einsum("fi,fi", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])) < 0:
-        triangles = triangles[:, ::-1]
+        triangles, uv = triangles[:, ::-1], None if uv is None else uv[:, ::-1]
         notes.append("it was inside out and has been turned")
-    return Mesh(path.name, frozen(triangles), closed, "; ".join(notes))
+    notes.append("no texture coordinates: maps are laid on from the six sides of a cube" if uv is None else
+                 "with texture coordinates")
+    return Mesh(path.name, frozen(triangles), closed, "; ".join(notes), None if uv is None else frozen(uv))
 
 
 def frozen(triangles: np.ndarray) -> np.ndarray:

@@ -228,7 +228,7 @@ TABLE: dict[str, Quantity] = {
     "lean": Quantity(r"\theta", "rad", -1.5, 1.5, -0.8, "angle of a direction, positive to the right", (-1.57, 1.57)),
     "lean_l": Quantity(r"\theta_l", "rad", -1.5, 1.5, -0.6, "angle of the light, positive to the right", (-1.57, 1.57)),
     "lean_v": Quantity(r"\theta_v", "rad", -1.5, 1.5, 0.9, "angle of the eye, positive to the right", (-1.57, 1.57)),
-    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness of a diffuse surface, EON"),
+    "roughness": Quantity("r", "", 0.0, 1.0, 0.5, "roughness as a file stores it, glTF's or EON's"),
     "disk_x": Quantity("x", "", -1.0, 1.0, 0.0, "place on the disk of a ball, from its middle to its rim at 1"),
     "phase": Quantity(r"\gamma", "rad", 0.0, 1.4, 0.0, "angle between the light and the eye", extreme=(0.0, 1.5)),
     "facets": Quantity("N", "", 100, 10000, 10000, "number of facets", (1, 20000), "log", "int"),
@@ -249,6 +249,7 @@ TABLE: dict[str, Quantity] = {
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("K", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
+    "filtering": Quantity("k", "", 0, 3, 2, "a pixel's light: its middle, N places, m_eff, Toksvig", kind="int"),
     # plausible shading
     "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),
     "luminance": Quantity("L_v", "cd/m^2", 0.1, 1e4, 25.0, "light towards the eye, per area seen", (1e-6, 1e9), "log"),
@@ -257,6 +258,13 @@ TABLE: dict[str, Quantity] = {
     "scene_linear": Quantity("x", "", 0.0, 16.0, 0.5, "linear number of a camera: 1 is just full", (0.0, 1e6)),
     "globe": Quantity("k", "", 0, 2, 0, "which of three lamps", kind="int"),
     "taken": Quantity("k", "", 0, 1, 0, "what a program takes for L_i: L, or I/r²", kind="int"),
+    "gain": Quantity("g", "", 0.01, 100.0, 12.566, "how many times more light", (1e-6, 1e6), "log"),
+    "mistake": Quantity("k", "", 0, 4, 0, "which one mistake a program makes", kind="int"),
+    # a second renderer
+    "base_colour": Quantity("c", "", 0.0, 1.0, 0.5, "one channel of glTF's base colour, linear"),
+    "metallic": Quantity("k", "", 0.0, 1.0, 0.0, "1: a metal, its base colour is F0; 0: an insulator, F0 is 0.04"),
+    "wipe": Quantity("x", "", -1.0, 1.0, 0.0, "where the second renderer's half begins"),
+    "mapped": Quantity("k", "", 0, 2, 1, "how a file's roughness r is read: m = r, m = r², or all of glTF", kind="int"),
     "curve": Quantity("k", "", 0, 2, 0, "which tone curve: cut at 1, Reinhard, ACES fit", kind="int"),
 }
 

@@ -57,16 +57,28 @@ class Shot:
     background: Vector = (0.0, 0.0, 0.0)  # as on screen, 0 to 1
     two_sided: bool = True  # the inside of an open mesh is lit too, with its normal turned
     shadows: bool = False  # of a spot light: pyrender has none for a point
+    smooth: bool = True  # edges; it mixes 4 samples of a pixel, and small triangles are coloured beyond their rims
+    exposures: tuple[float, ...] = (1.0,)  # the light's strength is multiplied by each in turn
 
 
 class Picture(NamedTuple):
-    rgb: np.ndarray  # (height, width, 3) uint8
+    rgb: np.ndarray  # (height, width, 3) uint8, at the first exposure
     depth: np.ndarray  # (height, width) float32, along the axis of view, at one sample of the pixel; 0: nothing
+    exposed: np.ndarray  # (exposures, height, width, 3) uint8
 
 
 def linear(rgb: np.ndarray) -> np.ndarray:
     """Radiance from a picture's 8 bits: the inverse of what pyrender does to it."""
     return (rgb / 255.0) ** 2.2
+
+
+def radiance(picture: Picture, exposures: tuple[float, ...]) -> np.ndarray:
+    """(height, width, 3) at exposure 1: 8 bits say too little of the dark, and cut what is above 1, so each channel is
+    taken from the largest of the (rising) exposures that does not cut it."""
+    found = linear(picture.exposed[0]) / exposures[0]
+    for rgb, exposure in zip(picture.exposed, exposures, strict=True):
+        found = np.where(rgb < 255, linear(rgb) / exposure, found)
+    return found
 
 
 def render(*shots: Shot, timeout: float = TIMEOUT) -> list[Picture]:
@@ -76,18 +88,20 @@ def render(*shots: Shot, timeout: float = TIMEOUT) -> list[Picture]:
         corners, normals = surface(shot)
         job = {"count": len(corners), "pose": pose(shot.camera), "yfov": yfov(shot), "size": shot.size,
                "colour": shot.colour, "metallic": shot.metallic, "roughness": shot.roughness,
-               "background": shot.background, "light": asdict(shot.light), "shadows": shot.shadows}
+               "background": shot.background, "light": asdict(shot.light), "shadows": shot.shadows,
+               "smooth": shot.smooth, "exposures": shot.exposures}
         jobs.append(job)
         arrays += [corners.tobytes(), normals.tobytes()]
-    expected = sum(7 * shot.size[0] * shot.size[1] for shot in shots)
+    expected = sum((4 + 3 * len(shot.exposures)) * shot.size[0] * shot.size[1] for shot in shots)
     answer = run_child(json.dumps(jobs).encode() + b"\n" + b"".join(arrays), expected, timeout)
     pictures, at = [], 0
     for shot in shots:
         (width, height), pixels = shot.size, shot.size[0] * shot.size[1]
-        rgb = np.frombuffer(answer, np.uint8, 3 * pixels, at).reshape(height, width, 3)
-        depth = np.frombuffer(answer, np.float32, pixels, at + 3 * pixels).reshape(height, width)
-        pictures.append(Picture(rgb.copy(), depth.copy()))
-        at += 7 * pixels
+        depth = np.frombuffer(answer, np.float32, pixels, at).reshape(height, width)
+        many, at = len(shot.exposures), at + 4 * pixels
+        exposed = np.frombuffer(answer, np.uint8, 3 * many * pixels, at).reshape(many, height, width, 3)
+        pictures.append(Picture(exposed[0].copy(), depth.copy(), exposed))
+        at += 3 * many * pixels
     return pictures
 
 
@@ -146,9 +160,13 @@ DOCTOR = "Run `halfway doctor`: it prints the command that mends it."
 
 
 def draw(job: dict[str, Any], corners: np.ndarray, normals: np.ndarray) -> bytes:
-    """One shot, in the child: rgb and depth as bytes."""
+    """One shot, in the child: depth and the rgb of each exposure as bytes."""
     import pyrender
+    import pyrender.renderer as inside
 
+    many = inside.glRenderbufferStorageMultisample
+    if not job["smooth"]:
+        inside.glRenderbufferStorageMultisample = lambda target, samples, *rest: many(target, 0, *rest)
     light, background = job["light"], job["background"]
     material = pyrender.MetallicRoughnessMaterial(
         baseColorFactor=(*job["colour"], 1.0), metallicFactor=job["metallic"], roughnessFactor=job["roughness"])
@@ -173,9 +191,14 @@ def draw(job: dict[str, Any], corners: np.ndarray, normals: np.ndarray) -> bytes
     renderer = pyrender.OffscreenRenderer(*job["size"])
     try:
         flags = pyrender.RenderFlags.SHADOWS_SPOT if job["shadows"] else pyrender.RenderFlags.NONE
-        rgb, depth = renderer.render(scene, flags=flags)
-        return np.ascontiguousarray(rgb[..., :3]).tobytes() + depth.astype(np.float32).tobytes()
+        found = []
+        for exposure in job["exposures"]:
+            lamp.intensity = exposure * light["strength"]
+            rgb, depth = renderer.render(scene, flags=flags)
+            found += [np.ascontiguousarray(rgb[..., :3]).tobytes()]
+        return b"".join([depth.astype(np.float32).tobytes(), *found])
     finally:
+        inside.glRenderbufferStorageMultisample = many
         renderer.delete()
 
 

@@ -5,6 +5,7 @@ points, directions, lamps that prefer some directions, spotlights, and lights wi
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -462,7 +463,7 @@ vec4 probe(int i) {
         marks=(Mark("axis", colour="quiet", line="dashed"),),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5), Label("1", 6), Label("10", 7)),
         handles=(Handle("the lamp", 0, ("light_height",)), Handle("the peak", 1, ("exponent",))),
-        camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
+        negative={"radiant_flux": (-50.0, -1e-9)}, camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
     ),
     plot=Figure(
         title="Photometric solid, 2 m for 1/sr",
@@ -827,9 +828,8 @@ vec4 probe(int i) {
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the hotspot", 0, ("hotspot",)), Handle("the falloff", 1, ("falloff",)),
                  Handle("a ray", 6, ("off_axis",))),
-        camera=Camera(azimuth=-74, elevation=32, distance=10.0, target=(0.0, -0.2, 0.3)),
-        legend=(("printed", "dots: negative light"),),
-        tables=(Table("table", ("downlight",)),),
+        negative={"edge": (2, 2)}, camera=Camera(azimuth=-74, elevation=32, distance=10.0, target=(0.0, -0.2, 0.3)),
+        legend=(("printed", "dots: negative light"),), tables=(Table("table", ("downlight",)),),
     ),
     plot=Curves(
         title="Across the beam",
@@ -1050,6 +1050,8 @@ directions. 4 minutes.
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
     minutes=4,
+    breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5},
+                  "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
 )
 
 AREA_SAMPLED = Step(

@@ -22,8 +22,10 @@ from app.lesson import (
     Prediction,
     Readout,
     Scene,
+    Slice,
     Step,
     Surface,
+    Table,
     Term,
     Value,
 )
@@ -44,7 +46,7 @@ COMPARE = Step(
 A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
 [beside the camera](?theta_d=5) highlights of the same width and peak. Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
-**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
+**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes [the other way](code:brdf_matter): at the angle
 $\theta$ its highlight is
 
 $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
@@ -479,7 +481,7 @@ enough**: the light must come *out* through the coat as well.
 
 $$f_d = \frac{\rho\,(1-\colour{f}{F}(n\cdot l))\,(1-\colour{f}{F}(n\cdot v))}{\pi\,(1-\colour{f}{F_\text{avg}})}$$
 
-It is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
+[It](code:body_coupled) is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
 [no coat](?f0=0), [diamond](?f0=0.17), [red paint's](?rho=0.6) share. In a **metal** all that enters is lost:
 [no body](?rho=0&f0=0.9).
 """,
@@ -591,9 +593,9 @@ $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)
 Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
 [n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
 
-$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
-only for $l\cdot h$. $D$ alone draws the highlight. **Click** any place of ball or object to pick it, or
-move the $\colour{l}{\text{light}}$: a
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$
+[asks only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or
+object to pick it, or move the $\colour{l}{\text{light}}$: a
 [low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
 drop a mesh of your own on the window.
 """,
@@ -816,10 +818,10 @@ vec4 probe(int i) {
         ),
     ),
     readouts=(
-        Readout("D at the ring, counted", Term("d_bumps_counted", {"facets": 10000}), role="exact", unit="1/sr"),
-        Readout("with m_eff", Term("d_filtered"), role="estimate", unit="1/sr", against="D at the ring, counted"),
-        Readout("by Toksvig's rule", Term("d_toksvig"), role="estimate", unit="1/sr", against="D at the ring, counted"),
-        Readout("bumps forgotten", Term("d_unfiltered"), role="printed", unit="1/sr", against="D at the ring, counted"),
+        Readout("picture off, one place", Term("ball_error", {"filtering": 0}), role="printed", unit="of white"),
+        Readout("N places", Term("ball_error", {"filtering": 1}), unit="of white"),
+        Readout("m_eff", Term("ball_error", {"filtering": 2}), role="estimate", unit="of white"),
+        Readout("Toksvig", Term("ball_error", {"filtering": 3}), role="estimate", unit="of white"),
     ),
     ask=Prediction(
         question="A bumpy mirror seen from afar: is it a mirror? Polished to m = 0.1, with bumps of slope 0.2, it will look as if it "
@@ -831,15 +833,17 @@ vec4 probe(int i) {
     ),
     notes="""
 Pull the knob slowly to the right and stop where the three parts begin to differ, at about 100 bumps. Move the camera a
-little: the left part crawls, the right one rests. Ask which of the three is right, and how one would know: by counting, the
-first number. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
+little: the left part crawls, the right one rests. The numbers say how far off each is: at middle distance the filter only blurs what
+it cannot know, and N places win; far away it beats them. Ask which of the three is right, and how one would know: by
+counting, the white curve of the second plot. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
 3.54. Common wrong answer: it stays a mirror, each bump is one. Each is; the pixel is not. The deck's sentence
 "introduce macro-scale irregularities into the BRDF roughness" is this formula. 7 minutes.
 """,
     sources=("Deck, slide Plausible Shading - The Scale Effect", "Olano & Baker 2010, LEAN Mapping",
              "Toksvig 2005, Mipmapping Normal Maps"),
     honesty="Numbers: bumps of normal slopes, equally large from above, the mean of D; G, F and hidden bumps are left out. The "
-            "picture's bumps are six waves, and its light is bent to the screen. The first plot takes a ball 600 pixels wide.",
+            "picture's bumps are six waves, and its light is bent to the screen. How far off it is: root mean square over the ball, "
+            "600 pixels wide, from 224 places of each of 64 pixels, good to a quarter of the number.",
     values=(Value("bumps", 300.0, low=3.0, high=1500.0), Value("bump_slope", 0.2, low=0.0, high=0.4),
             Value("m", 0.1, low=0.05, high=0.4), Value("samples", 16, low=1, high=64),
             Value("theta_h", 12.0, low=0.0, high=60.0, more=True)),
@@ -883,7 +887,7 @@ vec3 shade(Surface s) {
     if (map_layers < 1) albedo = vec3(0.25);
     if (map_layers < 2) f0 = vec3(0.04);
     float m = 0.35;
-    if (map_layers > 2) m = map_trap == 1 ? roughness_as_srgb(s.st.x, s.st.y) : stored_roughness(s.st.x, s.st.y);
+    if (map_layers > 2) m = max(map_trap == 1 ? decoded(stored(2, s.st)).r : stored(2, s.st).r, 0.02);
     if (map_layers > 3) n = normalize(2.0 * (map_trap == 2 ? decoded(stored(3, s.st)) : stored(3, s.st)) - 1.0);
     vec3 to_lamp = vec3(light_x, light_y, 1.1) - s.position, l = normalize(to_lamp), v = s.v, r = 2.0 * dot(n, v) * n - v;
     float n_dot_l = max(dot(n, l), 0.0), x = 1.0 - 0.5 * length(l + v), x5 = x * x * x * x * x;
@@ -918,6 +922,7 @@ vec4 probe(int i) {
         labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
         handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
         legend=(("l", "colour: decode"), ("v", "number: as it is")),
+        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
         camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
     ),
     plot=(
@@ -953,13 +958,284 @@ pick it in a colour picker, decode it; if it enters a formula as it is, do not. 
 stored values, mean the light, compare. 6 minutes.
 """,
     sources=("Deck, slide Plausible Shading - Texturing", "IEC 61966-2-1", "Deck, slide Distribution Term (2): the peak of D"),
-    honesty="The maps are formulas of this page, not scans. Numbers are exact. The picture has one point light, an even room in place "
+    honesty="The maps are formulas of this page, not scans, unless you bring yours (--map roughness=FILE, or drop a picture): those "
+            "are filtered as they are stored. Numbers are exact. The picture has one point light, an even room in place "
             "of mirror images, V-groove masking of the mean normal, no shadows in the relief, and light bent to the screen.",
     values=(Value("map_layers", 4, choices=("none", "albedo", "F(0)", "rough", "normal")),
             Value("map_trap", 0, choices=("nothing", "roughness", "normals", "colours")),
             Value("light_x", 0.55, low=-0.8, high=1.6, more=True), Value("light_y", 0.45, low=-1.2, high=1.4, more=True),
             Value("map_s", 0.42, more=True), Value("map_t", 0.55, more=True), Value("encoded", 0.5, low=0.02, more=True)),
     minutes=6,
+)
+
+MAPPED = ("m = r", "m = r²", "glTF's model")
+
+SECOND = Step(
+    name="second_opinion",
+    title="A second opinion",
+    idea="Two renderers agree only when the numbers in a file mean the same to both: name the model, not only the value.",
+    slides=("Cook Torrance – Comparison (1)", "Cook Torrance – Comparison (2)"),
+    prose=r"""
+A file says: base colour copper, $\colour{d}{r} = 0.5$. Left of the line **we** draw it, right of it another renderer's model
+does: glTF's, as *pyrender* computes it. Drag the line.
+
+What is $\colour{d}{r}$? [Take it for m](?mapped=0), and our highlight is far too wide: glTF squares it first,
+
+$$\colour{d}{\alpha} = \colour{d}{r}^2,$$
+
+so that sliders feel even. [m = r²](?mapped=1): now the peaks agree. The rest are the models' own ways: GGX has longer
+tails than Beckmann; its $\colour{g}{G}$ is Schlick's fit with $k = (r+1)^2/8$, which darkens even a mirror, where V-grooves
+leave 1; paint loses $1-\colour{f}{F}$ once, not in and out.
+
+[Let us evaluate glTF's model](?mapped=2), and the line cannot be found: pixel by pixel. See the
+[difference](?mapped=1&shows=1), as [paint](?metallic=0), [rough](?roughness=0.9), [polished](?roughness=0.3).
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/gltf.glsl"
+#include "stage/corner_normal.glsl"
+#include "display/facing.glsl"
+#include "display/scale.glsl"
+uniform float theta_l, phi, metallic, roughness, wipe;
+uniform int mapped, shows;
+
+vec3 lamp() { return cos(theta_l) * eye() + sin(theta_l) * around(phi + 2.2); } // 180 degrees: up and to the left
+
+vec3 mesh_point(int surface, vec3 p) { return 1.25 * p; }
+
+vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
+
+vec3 lit(vec3 n, vec3 v, int read) { // an irradiance of pi: white and matt is 1
+    vec3 l = lamp(), f;
+    for (int c = 0; c < 3; c++) f[c] = brdf_file(n, l, v, metallic, roughness, read, c);
+    return PI * max(dot(n, l), 0.0) * f;
+}
+
+vec3 shade(Surface s) {
+    vec3 n = normalize(s.value.xyz);
+    if (dot(n, s.normal) < 0.0) n = -n;
+    if (shows == 1) return diverging(dot(lit(n, s.v, mapped) - lit(n, s.v, 2), vec3(2.0 / 3.0)));
+    vec3 light = lit(n, s.v, dot(s.position, aside()) < 1.4 * wipe ? mapped : 2);
+    return 1.0 - exp(-1.3 * light - 0.02 * COPPER); // a little even light
+}
+
+vec3 mark_point(int mark, float t) {
+    if (mark == 0) return 1.5 * eye() + 1.4 * wipe * aside() + (shows == 1 ? 1e4 : 2.9 * t - 1.4) * up();
+    return (1.35 + 0.5 * t) * lamp();
+}
+
+vec4 probe(int i) {
+    if (i == 0) return vec4(mark_point(0, 0.0), 1.0);
+    if (i == 1) return vec4(mark_point(1, 1.0), 1.0);
+    return vec4(mark_point(0, 1.0) + (i == 2 ? -0.42 : 0.42) * aside() - 0.06 * up(), 1.0);
+}
+""",
+        surfaces=(Surface("object", mesh=True),),
+        marks=(Mark("where the other begins", colour="exact", tip="none", width=0.8),
+               Mark("to the light", colour="l", tip="sun", label="l")),
+        labels=(Label("we", 2, "estimate"), Label("glTF", 3)),
+        handles=(Handle("the line", 0, ("wipe",)), Handle("the light", 1, ("theta_l", "phi"))),
+        camera=Camera(azimuth=-62, elevation=20, distance=40, field_of_view=4.6),
+        meshes=("knot", "sphere", "bowl", "cube"),
+    ),
+    plot=(
+        Slice("Both at the highlight", kind="angle"),
+        Curves(
+            title="If r is taken for m", sweep="roughness", y_label="times too dim", y_scale="log",
+            curves=(Curve("middle of the highlight", Term("peak_lost"), role="printed"),),
+        ),
+    ),
+    models=(Model("ours, as chosen", Term("brdf_file", {"channel": 0})),
+            Model("glTF, pyrender's", Term("brdf_file", {"channel": 0, "mapped": 2}), "exact")),
+    readouts=(
+        Readout("glTF, red", Term("brdf_file", {"channel": 0, "mapped": 2}), role="exact", unit="1/sr"),
+        Readout("ours, red", Term("brdf_file", {"channel": 0}), role="estimate", unit="1/sr", against="glTF, red"),
+        Readout("α of the file's r", Term("alpha_gltf"), unit=""),
+        Readout("G of glTF at 45°", Term("g_gltf", {"n_dot_l": 0.7071, "n_dot_v": 0.7071}), unit=""),
+    ),
+    ask=Prediction(
+        question="A file says roughness 0.5, and a program puts it into Beckmann's formula as m. How many times too dim is the "
+                 "middle of the highlight?",
+        truth=Term("peak_lost", {"roughness": 0.5}),
+        unit="times", low=1.0, high=20.0, scale="log",
+        sets={"roughness": 0.5, "mapped": 0},
+        told="4 times: the file means α = 0.25, and D(0) goes with 1 / m².",
+    ),
+    notes="""
+Start with m = r and ask which half is right. Neither: the file is ambiguous until one knows its model. Then m = r², and let
+them look for what is left: tails, then the dark side of G. Show the difference picture, and at last glTF's own model: the
+line vanishes. In a terminal, `halfway compare plausible_shading/second_opinion -o both.png` runs the real pyrender in a
+process of its own, beside our GLSL, with numbers; with `--aligned` it is a test. Common wrong answer to the question: 2 times.
+Roughness has at least four meanings in the wild: r, r², Beckmann's m, an exponent. 5 minutes.
+""",
+    sources=("Khronos, glTF 2.0, appendix B", "pyrender, mesh.frag", "Karis 2013, Real Shading in Unreal Engine 4", "Schlick 1994"),
+    honesty="The right half is a formula, glTF's as pyrender has it; that it equals pyrender's own pixels to 0.7 % (its 8 bits) is "
+            "tested for roughness from 0.2 on. Numbers are for the angles of the plot. The difference is full blue or orange where "
+            "ours lacks or exceeds half of white. Light is bent to the screen; no shadows.",
+    values=(Value("mapped", 0, choices=MAPPED), Value("roughness", 0.5, low=0.2, high=1.0),
+            Value("metallic", 1.0, low=0.0, high=1.0), Value("shows", 0, choices=("both", "difference")),
+            Value("wipe", 0.0, more=True), Value("shape", 0, choices=("knot", "sphere", "bowl", "cube"), more=True),
+            Value("theta_l", 45.0, low=0.0, high=85.0, more=True), Value("theta_v", 45.0, low=0.0, high=85.0, more=True),
+            Value("phi", 180.0, more=True)),
+    minutes=5,
+)
+
+MISTAKES = ("none", "4π forgotten", "body added up", "colours encoded", "no tone curve")
+
+EVERYTHING = Step(
+    name="everything",
+    title="Everything in one picture",
+    idea="Lamps in lumens, measured reflection, maps, a balanced body, a camera: leave out one, and the picture tells.",
+    slides=("Working with Shading Models", PLAUSIBLE("BRDFs"), PLAUSIBLE("Texturing")),
+    prose=r"""
+All that the course has built, at once. A globe of $\colour{l}{\Phi}$ lumens hangs over the table, a spotlight of 400 lm shines
+from the left. Every pixel is
+
+$$L = \sum_k \Big(\frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l_k)(n\cdot v)} + f_d\Big)\,E_k\,(n\cdot l_k)$$
+
+in cd/m². $E_k$ is $I/r^2$ in lux; $\colour{d}{m}$, $\colour{f}{F_0}$, the albedo and $n$ come from maps; $f_d$ gets what the mirror
+leaves, in and out. A camera at [EV 6](?ev100=6) or [EV 3](?ev100=3) turns it into numbers.
+
+Now make **one** mistake. [Forget 4π](?mistake=1): lumens as candela. [Add the body up](?mistake=2): the rims glow. [Read
+the colours as they are stored](?mistake=3): pale. [Cut at 1](?mistake=4). [None](?mistake=0). Bring a mesh of your own, and maps.
+""",
+    scene=Scene(
+        glsl="""
+#include "optics/coat.glsl"
+#include "optics/exposure.glsl"
+#include "optics/spot.glsl"
+#include "stage/corner_normal.glsl"
+#include "stage/texture_coordinate.glsl"
+#include "display/plate.glsl"
+#include "display/vase.glsl"
+uniform float luminous_flux, distance, ev100;
+uniform int mistake;
+
+const vec2 AXIS = vec2(-0.92, 0.1);
+const vec3 MIDDLE = vec3(0.72, 0.05, 0.88); // of the object
+const vec3 SPOT = vec3(-3.0, -2.4, 2.4), AXLE = vec3(-0.71548, -0.57239, 0.40068); // and the way back to it
+
+vec3 lamp() { return vec3(-0.12, -0.8, distance); }
+
+vec3 surface_point(int surface, vec2 s) {
+    if (surface == 0) return vase_point(AXIS, s);
+    if (surface == 1) return vec3(3.9 * s.x - 2.0, 2.3 * s.y - 1.25, 0.0);
+    if (surface == 4) return vec3(3.9 * s.x - 2.0, 1.05, 2.7 * s.y);
+    float a = PI * s.y, turn = 2.0 * PI * s.x;
+    return lamp() + 0.09 * vec3(sin(a) * vec2(cos(turn), sin(turn)), cos(a));
+}
+
+vec3 mesh_point(int surface, vec3 p) { return 0.82 * p + MIDDLE; }
+
+vec4 mesh_value(int surface, vec3 p, int face) { return vec4(corner_normal(p, face), 0.0); }
+
+vec3 tangent(vec3 n) { return normalize(abs(n.z) < 0.95 ? vec3(-n.y, n.x, 0.0) : vec3(n.z, 0.0, -n.x)); }
+
+vec3 luminance(Surface s) { // of each channel, white having the same in all
+    float candela = luminous_flux * (mistake == 1 ? 1.0 : luminous_intensity_isotropic(1.0));
+    if (s.id == 2) return vec3(1.0, 0.86, 0.66) * candela / (PI * 0.0081);
+    vec3 n = vec3(0.0, 0.0, 1.0), v = s.v;
+    vec2 at = vec2(1.2, 1.0) * s.st;
+    if (s.id == 0) n = vase_normal(AXIS, s.st);
+    if (s.id == 3) {
+        n = normalize(s.value.xyz);
+        if (dot(n, s.normal) < 0.0) n = -n;
+        at = texture_coordinate((s.position - MIDDLE) / 0.82, n, s.face);
+    }
+    vec3 albedo = vec3(0.20, 0.13, 0.09), f0 = vec3(0.04);
+    float m = 0.3;
+    if (s.id == 4) n = vec3(0.0, -1.0, 0.0), albedo = vec3(0.10, 0.11, 0.13);
+    if (s.id % 3 == 0) {
+        vec3 x = tangent(n), file = 2.0 * stored(3, at) - 1.0;
+        n = normalize(file.x * x + file.y * cross(n, x) + file.z * n);
+        albedo = stored(0, at), f0 = stored(1, at), m = max(stored(2, at).r, 0.02);
+        if (mistake != 3) albedo = decoded(albedo), f0 = decoded(f0);
+    }
+    float n_dot_v = max(dot(n, v), 0.01);
+    float spot = spot_intensity(400.0, 0.3, 0.42), height = 2.0 * dot(n, v) * n.z - v.z; // of what is mirrored: a dim room, its ceiling lighter
+    vec3 room = mix(vec3(0.3, 0.26, 0.22), vec3(1.3, 1.5, 1.8), smoothstep(-2.0 * m, 2.0 * m, height - 0.1));
+    vec3 light = s.id % 3 > 0 ? 0.3 * albedo : room * (f0 + albedo * (mistake == 2 ? 1.0 : passed_share(n_dot_v, 0.04)));
+    for (int k = 0; k < 2; k++) {
+        vec3 way = (k == 0 ? lamp() : SPOT) - s.position, l = normalize(way);
+        float n_dot_l = dot(n, l), lux = candela / dot(way, way);
+        if (n_dot_l <= 0.0) continue;
+        if (k == 1) lux = spot * spot_linear_cos(dot(l, AXLE), 0.3, 0.42) / dot(way, way);
+        vec3 f = albedo / PI; // table and wall are matt
+        if (s.id % 3 == 0) {
+            if (mistake != 2) f = albedo * body_coupled(n_dot_l, n_dot_v, 1.0, 0.04);
+            f += cook_torrance_dg(n, l, v, m) * (f0 + (1.0 - f0) * (1.0 - passed_share(0.5 * length(l + v), 0.0)));
+        }
+        light += f * lux * n_dot_l;
+    }
+    return light;
+}
+
+vec3 shade(Surface s) {
+    vec3 x = luminance(s) / luminance_white(ev100);
+    int curve = mistake == 4 ? 0 : 2;
+    return vec3(tone_curve(x.r, curve), tone_curve(x.g, curve), tone_curve(x.b, curve));
+}
+
+vec3 mark_point(int mark, float t) {
+    return mark == 0 ? lamp() + vec3(0.0, 0.0, 0.09 + 0.35 * t) : mix(lamp() * vec3(1.0, 1.0, 0.0), lamp(), t);
+}
+
+vec4 probe(int i) { return vec4(lamp() + vec3(i == 0 ? 0.0 : 0.22, 0.0, 0.0), 1.0); }
+""",
+        surfaces=(Surface("vase", cells=(40, 48)), Surface("table", cells=(1, 1)), Surface("globe", cells=(24, 12)),
+                  Surface("object", mesh=True), Surface("wall", cells=(1, 1))),
+        marks=(Mark("cable", colour="quiet"), Mark("height", colour="l", line="dotted", width=0.8)),
+        labels=(Label("Φ", 1, "l"),),
+        handles=(Handle("the lamp", 0, ("distance",)),),
+        camera=Camera(azimuth=-90, elevation=18, distance=9, target=(-0.05, 0.0, 0.95), field_of_view=20),
+        meshes=("knot", "sphere", "bowl", "cube"),
+        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
+    ),
+    plot=(
+        Ledger("A white card under the globe", ((
+            LedgerRow("lamp", Term("lamp_flux", {"globe": 0}), "lm"),
+            LedgerRow("intensity", Term("luminous_intensity_isotropic"), "cd", "1/sr"),
+            LedgerRow("illuminance", Term("illuminance_isotropic", {"theta": 0.0}), "lx", "sr/m^2"),
+            LedgerRow("white card", Term("card_luminance", {"rho": 0.8}), "cd/m^2", "1/sr", "BRDF"),
+            LedgerRow("on the sensor", Term("card_exposed", {"rho": 0.8}), "", "m^2/cd", "exposure"),
+            LedgerRow("of the screen's white", Term("card_toned", {"rho": 0.8, "curve": 2}), "", "", "tone curve"),
+            LedgerRow("stored", Term("card_stored", {"rho": 0.8, "curve": 2}), "", "", "sRGB, 8 bits"),
+        ),)),
+        Curves(
+            title="What lacquer sends back in even light", sweep="theta_v", y_label="share of the light",
+            curves=(Curve("in and out", Term("albedo_coated", {"rho": 0.8, "f0": 0.04, "coupling": 3})),
+                    Curve("added up", Term("albedo_coated", {"rho": 0.8, "f0": 0.04, "coupling": 0}), role="printed")),
+        ),
+    ),
+    readouts=(
+        Readout("intensity of the globe", Term("luminous_intensity_isotropic"), unit="cd"),
+        Readout("on the table below it", Term("illuminance_isotropic", {"theta": 0.0}), unit="lx"),
+        Readout("a white card there", Term("card_luminance", {"rho": 0.8}), unit="cd/m²"),
+        Readout("fills the sensor", Term("luminance_white"), unit="cd/m²"),
+    ),
+    ask=Prediction(
+        question="A program takes lumens for candela. By how many EV must its camera be closed so that the picture looks right again?",
+        truth=Term("stops", {"gain": 4 * PI}),
+        unit="EV", low=0.0, high=12.0,
+        sets={"mistake": 1},
+        told="3.65 EV: 4π is 12.6, and each EV halves the light. The picture looks right then, and every number in it is wrong.",
+    ),
+    notes="""
+This is the deck's demo with everything on. Let one student make a mistake behind your back, and the class find it: 4π is the
+easiest, encoded colours the hardest, for a wrong exposure can hide either. Ask which of them a photograph beside the screen
+would reveal (all), and which an artist would repair with a slider (all, one by one, for ever). Then drop a mesh and a map of
+their own. Common wrong answer to the question: 4 EV, which is 16. 8 minutes.
+""",
+    sources=("Deck, slides Working with Shading Models and Plausible Shading", "Lagarde & de Rousiers 2014: 1.2 · 2^EV",
+             "Cook & Torrance 1982", "Kelemen & Szirmay-Kalos 2001", "Narkowicz 2015"),
+    honesty="Lamps are points of their lumens, their light exact per pixel, with V-grooves, Schlick's F and the balanced body; no "
+            "shadows, nothing is reflected twice. The room is a look of 1 cd/m². A mesh without texture coordinates gets its maps "
+            "from the six sides of a cube. Maps are filtered as they are stored.",
+    values=(Value("mistake", 0, choices=MISTAKES), Value("luminous_flux", 800.0, low=50.0, high=5000.0),
+            Value("ev100", 4.0, low=0.0, high=10.0), Value("distance", 1.9, low=1.4, high=2.6, scale="linear"),
+            Value("theta_v", 60.0, low=0.0, high=88.0, more=True),
+            Value("shape", 0, choices=("knot", "sphere", "bowl", "cube"), more=True)),
+    minutes=8,
 )
 
 BODY_PYTHON = """import numpy as np
@@ -992,7 +1268,7 @@ SCALE_HEAD_GLSL = "float m_effective(float m, float bump_slope) {\n"
 CHAPTER = Chapter(
     title="Plausible shading",
     idea="Right units, a balanced material and a camera make a picture one can believe.",
-    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE, TEXTURING),
+    steps=(COMPARE, QUANTITIES, MEASURING, ENERGY, BOARD, SCALE, TEXTURING, EVERYTHING, SECOND),
     exercises=(
         Exercise(
             name="coated",

@@ -22,6 +22,7 @@ from app.optics import arguments, twin
 from app.optics.colour import linear_to_srgb
 from app.optics.cook_torrance import albedo_cook_torrance
 from app.optics.spherical import direction
+from app.plots.models import Lit
 from app.problem import Problem, Usage
 from app.theme import THEMES
 
@@ -66,6 +67,16 @@ def test_a_file_that_has_changed_is_read_again(tinted):
     tinted.write_text(TINTED.replace("2. : 1.", "2. : .5"))
     os.utime(tinted, ns=(1, 1))
     assert twin(f"board:{tinted}")(N, L, V, 0, values) == pytest.approx(before / 2)
+
+
+def test_what_a_plot_keeps_goes_when_the_file_changes(tinted):
+    """A drawing computes a lobe anew when its key is another one."""
+    one = Lit(Model("x", Term(f"board:{tinted}", {"values": (1.0, 1.0, 0.5, 0.25, 0.0), "channel": 0})), VALUES, "v")
+    before = one.key
+    assert one.key == before
+    tinted.write_text(TINTED.replace("2. : 1.", "2. : .5"))
+    os.utime(tinted, ns=(1, 1))
+    assert one.key != before and one.key[-1] != before[-1]
 
 
 def test_values_are_packed_and_unpacked(tinted):

@@ -5,6 +5,7 @@ from typing import Protocol
 
 import numpy as np
 
+from app import own_models
 from app.badges import Badge
 from app.board import course_model, merl
 from app.board.brdf_file import Default, Parameter, read
@@ -45,9 +46,14 @@ def opened(word: str) -> BoardModel:
         return merl.read(word) if merl.is_one(word) else BrdfModel(read(word))
     if word == Coated.name:
         return Coated()
+    if own := own_models.path_of(word):
+        if own.suffix != own_models.BRDF:
+            raise Usage(f"{own} is a text for the editor, and no part of a reflectance that the board could show.")
+        return BrdfModel(read(own))
     name = word.removeprefix(course_model.PREFIX)
     if name not in course_model.names():
-        raise Usage(f"there is no model {word}, and no such file.{near(name, [*course_model.names(), Coated.name])}")
+        known = [*course_model.names(), Coated.name, *(one.name for one in own_models.saved())]
+        raise Usage(f"there is no model {word}, and no such file.{near(name, known)}")
     return CourseModel(name)
 
 

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -11,11 +11,12 @@ from PIL import Image
 from app import VERSION, prediction
 from app.badges import of_model
 from app.catalog import Loaded, LoadedStep, chapters
+from app.console import progress
 from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
-from app.export.still import data, file_of, known, luminaires, plotted, shot
+from app.export.still import constant, data, file_of, known, plotted, shot
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers
@@ -26,7 +27,6 @@ FOLDER, VARIABLE = "halfway-lessons", "HALFWAY_LESSONS"
 PICTURES = "pictures"
 SCENE, PLOT, SMALL = (1260, 840), (840, 840), (420, 280)
 LARGER = 1.5  # words on a scene: on the page it is shown at half its size
-Advance = Callable[[str], None]
 
 
 def run(options) -> int:
@@ -85,7 +85,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
     def values() -> dict:
         first = defaults(found)
         own = mesh if any(surface.mesh for surface in found.step.scene.surfaces) else None
-        return first | data(found, first, own, ies if found.step.scene.tables else None)
+        return first | data(found, first, own, ies if any(table.files for table in found.step.scene.tables) else None)
 
     def scene() -> None:
         shown.state = write(found, start)
@@ -102,7 +102,7 @@ def rendered(found: LoadedStep, folder: Path, theme: Theme, mesh: str | Path | N
         shown.numbers = numbers(found.step, start, context())
         shown.badges = {model.label: of_model(model, start) for model in found.step.models}
         shown.truth = prediction.truth(found, **{k: v for k, v in start.items() if k == "triangles"},
-                                       **luminaires(found, prediction.truth_values(found)))
+                                       **constant(found, prediction.truth_values(found)))
 
     def tries() -> None:
         for i, link in enumerate(state_links(found)):
@@ -136,24 +136,3 @@ def said(shown: Shown) -> Iterator[None]:
 def note(shown: Shown, sentence: str) -> None:
     if sentence not in shown.fault:
         shown.fault = f"{shown.fault} {sentence}".strip()
-
-
-@contextmanager
-def progress(total: int) -> Iterator[Advance]:
-    """A bar on a terminal, nothing elsewhere. Called with a step's title before it is done, with nothing at the end."""
-    if not sys.stderr.isatty():
-        yield lambda title: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=total)
-        begun = [False]
-
-        def advance(title: str) -> None:
-            bar.update(task, description=title, advance=int(begun[0]))
-            begun[0] = True
-
-        yield advance

@@ -47,7 +47,7 @@ def report(found: Photometry, size: tuple[int, int], theme: Theme) -> Image.Imag
 def the_step() -> LoadedStep:
     """The step whose room and plot are shown: the first with a table of a luminaire."""
     for found in steps():
-        if found.step.scene.tables and isinstance(found.step.plots[0], Figure):
+        if any(table.files for table in found.step.scene.tables) and isinstance(found.step.plots[0], Figure):
             return found
     raise Problem("no lesson shows a measured luminaire, so there is no room to light.")
 

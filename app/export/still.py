@@ -1,6 +1,7 @@
 """One picture of one step: `halfway render`. Loads neither the window nor VTK unless the plot is asked for."""
 
 import math
+import sys
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -10,6 +11,7 @@ from PIL import Image
 
 from app import VERSION
 from app.badges import of_model
+from app.breaking import broken, values_of
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
@@ -28,6 +30,7 @@ from app.theme import THEMES, Theme, rgb
 
 Part = Literal["scene", "plot", "both"]
 PARTS: tuple[Part, ...] = ("scene", "plot", "both")
+MESH = "triangles", "texture_coordinates"  # what plots have no use for as values
 FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene fills, and what is done for that
 
 
@@ -39,13 +42,25 @@ def run(options) -> int:
     state = parse(options.step)
     found = step(state.step)
     values = dict(state.values)
+    if getattr(options, "broken", None):
+        found, values = break_it(found, values, options.broken)
     for text in options.set or ():
         values |= parse_set(text, found)
-    values |= data(found, values, options.mesh, getattr(options, "ies", None))
+    values |= data(found, values, options.mesh, getattr(options, "ies", None), getattr(options, "map", None))
     plot = plot_number(found, getattr(options, "plot", None) or "1")
     picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
+
+
+def break_it(found: LoadedStep, values: dict, text: str) -> tuple[LoadedStep, dict]:
+    """The step with naive forms, and the values at which they fail: its break number `text`, from 1."""
+    labels = [one.label for one in found.step.breaks]
+    if not text.isdecimal() or not 1 <= int(text) <= len(labels):
+        raise Usage(f"--broken {text}: {found.id} has " + (", ".join(f"{i} ({name})" for i, name in enumerate(labels, 1))
+                                                           or "nothing to break") + ".")
+    one = found.step.breaks[int(text) - 1]
+    return broken(found, int(text) - 1), values | values_of(found, one)
 
 
 def known(option: str, name: str, names: tuple[str, ...]) -> str:
@@ -64,22 +79,36 @@ def plot_number(found: LoadedStep, text: str) -> int:
     return int(text) - 1
 
 
-def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None) -> dict:
+def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None,
+         maps: list[str] | None = None) -> dict:
     """What a step needs besides its sliders: the triangles of its mesh and its tables, its own or the user's."""
-    return triangles(found, values, mesh) | luminaires(found, values, ies) | found.derived(values)
+    return triangles(found, values, mesh) | constant(found, values, ies, maps) | found.derived(values)
 
 
-def luminaires(found: LoadedStep, values: dict, ies: str | Path | None = None) -> dict:
-    """The tables of measured luminaires."""
+def constant(found: LoadedStep, values: dict, ies: str | Path | None = None, maps: list[str] | None = None) -> dict:
+    """The tables of measured luminaires, and the user's maps (kind=FILE), each told on stderr."""
     scene = found.step.scene
+    if ies and not any(table.files for table in scene.tables):
+        raise Usage(f"{found.id} has no luminaire that {ies} could replace; lights/ies has one.")
+    if maps and not any(table.map for table in scene.tables):
+        raise Usage(f"{found.id} has no maps that {maps[0]} could replace; plausible_shading/texturing has them.")
     if not scene.tables:
-        if ies:
-            raise Usage(f"{found.id} has no luminaire that {ies} could replace; lights/ies has one.")
         return {}
     from app import tables
     from app.ies import read
 
-    return tables.chosen(scene, values, read(ies) if ies else None)
+    return tables.chosen(scene, values, read(ies) if ies else None, own_maps(maps or []))
+
+
+def own_maps(given: list[str]) -> dict:
+    if not given:
+        return {}
+    from app import maps
+
+    found = {kind: maps.read(kind, path) for kind, path in map(maps.named, given)}
+    for one in found.values():
+        print(f"halfway: {one.note}.", file=sys.stderr)
+    return found
 
 
 def triangles(found: LoadedStep, values: dict, mesh: str | Path | None = None) -> dict:
@@ -91,8 +120,11 @@ def triangles(found: LoadedStep, values: dict, mesh: str | Path | None = None) -
     from app import meshes
 
     if mesh:
-        return {"triangles": meshes.load(mesh).triangles}
-    return {"triangles": meshes.built_in(scene.meshes[int(values.get("shape", 0))]).triangles}
+        own = meshes.load(mesh)
+        if any(table.map for table in scene.tables):
+            print(f"halfway: {own.name}: {own.note}.", file=sys.stderr)
+        return own.data
+    return meshes.built_in(scene.meshes[int(values.get("shape", 0))]).data
 
 
 def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple[int, int] = (1280, 720),
@@ -167,7 +199,7 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
     """A plot of the step, drawn by the plots' own process."""
     from app import plots
 
-    sliders = {name: value for name, value in values.items() if name != "triangles"}
+    sliders = {name: value for name, value in values.items() if name not in MESH}
     ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
     return Image.fromarray(plots.picture(found.step.plots[plot], sliders, size, theme, ranges,
                                          triangles=values.get("triangles")))

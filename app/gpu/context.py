@@ -156,10 +156,14 @@ def pixel(ctx: moderngl.Context) -> moderngl.Framebuffer:
 
 
 def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.Assembled | None = None,
-            varyings: tuple[str, ...] = ()) -> moderngl.Program:
-    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context."""
+            varyings: tuple[str, ...] = (), passing: dict | None = None) -> moderngl.Program:
+    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context.
+
+    Of a text that is being edited, the new ones are kept in `passing`, whose owner releases them."""
     programs = kept(ctx)
     key = vertex.text, fragment.text if fragment else "", varyings
+    if key not in programs and passing is not None:
+        programs = passing
     if key not in programs:
         try:
             programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,

@@ -6,11 +6,12 @@ import moderngl
 import numpy as np
 
 from app import shader
-from app.gpu.context import context, pixel, program
+from app.gpu.context import context, kept, pixel, program
 from app.problem import Problem, Usage, near
+from app.shader import WIDTH
 
-WIDTH = {"float": 1, "int": 1, "vec2": 2, "vec3": 3, "vec4": 4}
 MAX_CORNERS = 8  # as in glsl/core/constants.glsl
+PASSING = 32  # programs of texts that are being edited
 TEXTURE_TRIANGLES = 256  # triangles in a row of a mesh texture
 
 
@@ -36,8 +37,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
     ctx = ctx or context()
     with ctx:
-        assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
-        feedback = program(ctx, assembled, varyings=("value",))
+        feedback = linked(ctx, source, function, overrides)
         for name in (uniforms or {}).keys() & set(feedback):
             cast(moderngl.Uniform, feedback[name]).value = (uniforms or {})[name]
         if count == 0:
@@ -68,7 +68,7 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
         raise Usage(f"{function} needs {arg.name}.{near(arg.name, args)}")
     data = np.asarray(args[arg.name], np.int32 if arg.type == "int" else np.float32)
     if arg.type == "sampler2D" and arg.name != "triangles":
-        if data.ndim != 2:
+        if data.ndim != 2 and not is_map(data):
             raise Usage(f"{function}: {arg.name} is one table of rows and columns for all points, not {data.shape}.")
         return data
     tail: tuple[int, ...] = (3, 3) if arg.type == "sampler2D" else (WIDTH[arg.type],) if WIDTH[arg.type] > 1 else ()
@@ -82,6 +82,26 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
         raise Usage(f"{function}: {arg.name} is a {arg.type}, its last axis has {tail[0]} numbers; "
                     f"it has shape {data.shape}.")
     return data
+
+
+def compiled(function: str, overrides: shader.Overrides, ctx: moderngl.Context) -> None:
+    """A Problem where a twin made of these texts does not compile."""
+    include, signature = find(function, None)
+    with ctx:
+        linked(ctx, point_program(signature, include, None)[0], function, dict(overrides))
+
+
+def linked(ctx: moderngl.Context, source: str, function: str, overrides: dict[str, shader.Source] | None):
+    assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
+    return program(ctx, assembled, varyings=("value",), passing=passing(ctx) if overrides else None)
+
+
+def passing(ctx: moderngl.Context) -> dict:
+    """The programs of the texts that were edited last."""
+    programs = kept(ctx).setdefault("passing", {})
+    while len(programs) > PASSING:
+        programs.pop(next(iter(programs))).release()
+    return programs
 
 
 def find(function: str, text: str | None) -> tuple[str, shader.Signature]:
@@ -130,6 +150,8 @@ def bind(ctx: moderngl.Context, feedback: moderngl.Program, arg: shader.Argument
 def data_texture(ctx: moderngl.Context, data: np.ndarray) -> moderngl.Texture:
     """Constant data as a float texture to be read by texelFetch: a mesh (faces, 3, 3), or a table (rows, columns),
     whose number at [row, column] is texel (column, row)."""
+    if is_map(data):
+        return map_texture(ctx, data)
     if data.ndim == 3:
         return mesh_texture(ctx, data)
     rows, columns = data.shape
@@ -138,6 +160,20 @@ def data_texture(ctx: moderngl.Context, data: np.ndarray) -> moderngl.Texture:
         raise Problem(f"a table of {rows} x {columns} numbers is larger than this OpenGL can hold ({limit} a side).")
     texture = ctx.texture((columns, rows), 1, np.ascontiguousarray(data, "f4").tobytes(), dtype="f4")
     texture.filter = moderngl.NEAREST, moderngl.NEAREST
+    return texture
+
+
+def is_map(data: np.ndarray) -> bool:
+    """Four channels a texel (rows, columns, 4): no mesh, whose corners have three numbers."""
+    return data.ndim == 3 and data.shape[-1] == 4
+
+
+def map_texture(ctx: moderngl.Context, texels: np.ndarray) -> moderngl.Texture:
+    """A picture's stored bytes, 0 to 1, to be sampled at any scale; the lowest row first."""
+    rows, columns, _ = texels.shape
+    texture = ctx.texture((columns, rows), 4, np.ascontiguousarray(texels, "u1").tobytes())
+    texture.build_mipmaps()
+    texture.filter = moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR
     return texture
 
 

@@ -67,6 +67,16 @@ def stored_number(linear):
     return 255 * linear_to_srgb(linear)
 
 
+def stops(gain):
+    """By how many EV a camera is closed to make up for more light.
+
+    log2(gain)
+
+    gain (...) > 0, how many times more. Returns (...) EV. Errors: none. Source: ISO 2720:1974: 1 EV halves the light.
+    """
+    return np.log2(np.asarray(gain, float))
+
+
 def card_luminance(luminous_flux, distance, rho):
     """The luminance of a matt card straight under the lamp.
 

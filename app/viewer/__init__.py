@@ -19,6 +19,7 @@ def run(options: argparse.Namespace) -> int:
         getattr(options, "theme", "") or "",
         getattr(options, "size", None) or (1280, 720),
         ies=getattr(options, "ies", None),
+        maps=tuple(getattr(options, "map", None) or ()),
     )
     if formulas == "missing":
         window.message = "Formulas cannot be typeset here: run `halfway doctor`, it prints the command that mends it."

@@ -9,7 +9,9 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from imgui_bundle import ImVec2, imgui
 
 from app.badges import ASKED, NAMES, SHORT, Badge, key, of_model, told
+from app.edit import EDITED
 from app.lesson import Model
+from app.terms import is_yours
 from app.theme import colour
 from app.viewer import glfw, style
 
@@ -68,7 +70,8 @@ class BadgesPanel:
         ink = style.u32(colour(model.colour, self.app.theme))
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
-        imgui.text_wrapped(model.label)
+        mine = is_yours(model.term, values)
+        imgui.text_wrapped(model.label + (", yours" if mine else ", the course's" if EDITED in values else ""))
         for name in NAMES:
             imgui.table_next_column()
             badge = shown[name] if isinstance(shown, dict) and not hidden else None

@@ -4,7 +4,8 @@ from imgui_bundle import imgui
 
 from app.viewer import controls, style
 
-BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"),
+           ("Keys", "?"))
 
 
 def draw(app) -> None:

@@ -33,6 +33,11 @@ float stored_number(float linear) {
     return 255.0 * linear_to_srgb(linear);
 }
 
+float stops(float gain) {
+    // ISO 2720:1974: 1 EV halves the light
+    return log2(gain);
+}
+
 float card_luminance(float luminous_flux, float distance, float rho) {
     // Working with Shading Models: lm, cd, lx, cd/m^2
     return luminance_lambert(rho, illuminance_isotropic(luminous_flux, distance, 0.0));

@@ -7,15 +7,24 @@ float map_pattern(float map_s, float map_t) {
     return clamp(0.5 + 5.0 * (abs(abs(q) - 1.0) - 2.0 / 3.0), 0.0, 1.0);
 }
 
-float stored_roughness(float map_s, float map_t) {
-    // What the roughness map stores: strokes of a cloth, and worn gold
+float stored_roughness(sampler2D roughness_map, float map_s, float map_t) {
+    // What the roughness map stores: a user's texels, bilinear; or strokes of a cloth, and worn gold
+    if (texelFetch(roughness_map, ivec2(0), 0).a > 0.0) {
+        ivec2 size = textureSize(roughness_map, 0);
+        vec2 at = vec2(map_s, map_t) * vec2(size) - 0.5, part = at - floor(at);
+        ivec2 low = (ivec2(floor(at)) + size) % size, high = (low + 1) % size;
+        vec2 below = vec2(texelFetch(roughness_map, low, 0).r, texelFetch(roughness_map, ivec2(high.x, low.y), 0).r);
+        vec2 above = vec2(texelFetch(roughness_map, ivec2(low.x, high.y), 0).r, texelFetch(roughness_map, high, 0).r);
+        vec2 across = mix(below, above, part.y);
+        return mix(across.x, across.y, part.x);
+    }
     float strokes = sin(2.0 * PI * (3.0 * map_s + 2.0 * map_t) + 2.0 * sin(4.0 * PI * map_t)), p = map_pattern(map_s, map_t);
     return 0.30 + 0.12 * p + (0.13 + 0.07 * p) * strokes;
 }
 
-float roughness_as_srgb(float map_s, float map_t) {
+float roughness_as_srgb(sampler2D roughness_map, float map_s, float map_t) {
     // IEC 61966-2-1, where it does not belong
-    return srgb_to_linear(stored_roughness(map_s, map_t));
+    return srgb_to_linear(stored_roughness(roughness_map, map_s, map_t));
 }
 
 float srgb_gap(float encoded) {
@@ -29,7 +38,7 @@ float peak_gain(float encoded) {
     return gap * gap;
 }
 
-float peak_gain_at(float map_s, float map_t) {
+float peak_gain_at(sampler2D roughness_map, float map_s, float map_t) {
     // The same at a place of the plate
-    return peak_gain(stored_roughness(map_s, map_t));
+    return peak_gain(stored_roughness(roughness_map, map_s, map_t));
 }

@@ -1,4 +1,4 @@
-uniform sampler2D triangles;
+#include "stage/triangles.glsl"
 uniform sampler2D normals;
 
 // The smooth normal of a mesh at the corner p of a face: what a scene's mesh_value gives on to shade.

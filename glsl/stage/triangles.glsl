@@ -1,0 +1,1 @@
+uniform sampler2D triangles; // the corners of a mesh, three for each face
