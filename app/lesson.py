@@ -316,7 +316,7 @@ class Step:
     title: str
     idea: str  # the one sentence to take home
     slides: tuple[str, ...]  # titles of the deck
-    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
+    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values, (code:d_beckmann) opens GLSL
     scene: Scene
     plot: Plot | tuple[Plot, ...]
     readouts: tuple[Readout, ...]

@@ -132,7 +132,7 @@ class Window:
             self.session.save()  # a crash loses seconds, not a lesson
         if self.editor.typed_at and time.monotonic() - self.editor.typed_at > REST:
             self.editor.typed_at = 0.0
-            self.session.save()  # of what is typed, a crash loses less than a word
+            self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
