@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from app.classroom import Break, Check, Choice, Exercise, Prediction  # noqa: F401  lessons import all from here
+from app.classroom import Break, Check, Choice, Exercise, LeaveOut, Prediction  # noqa: F401  lessons import all here
 from app.worded import Number, Term, Worded, vocabulary  # noqa: F401
 
 Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
@@ -330,6 +330,7 @@ class Step:
     beyond: bool = False  # beyond the deck
     study: Study | None = None  # of lessons/studies.py
     breaks: tuple[Break, ...] = ()
+    leave_outs: tuple[LeaveOut, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
