@@ -86,13 +86,15 @@ class Checker:
         self.on_verdicts = on_verdicts
         self.lock = threading.Lock()
         self.wish: tuple[str, Language, str] | None = None
+        self.now: tuple[str, Language, str] | None = None  # what is being checked
         self.thread: threading.Thread | None = None
         self.shown: Verdicts | None = None
 
     def ask(self, exercise: str, text: str, language: Language = "glsl") -> None:
-        """Wants the verdicts of a text; of one that is shown already it does nothing."""
+        """Wants the verdicts of a text; of one that is shown, checked or wanted already it does nothing."""
         with self.lock:
-            if self.shown and self.thread is None and self.shown.of == (exercise, language, text):
+            last = self.wish or self.now or (self.shown.of if self.shown else None)
+            if last == (exercise, language, text):
                 return
             self.wish = exercise, language, text
             if self.thread is None:
@@ -113,12 +115,15 @@ class Checker:
     def work(self) -> None:
         while True:
             with self.lock:
-                wish, self.wish = self.wish, None
-                if wish is None:
+                self.now, self.wish = self.wish, None
+                if self.now is None:
                     self.thread = None
                     return
-            exercise, language, text = wish
-            self.shown = verdicts(exercise, text, language)
+            exercise, language, text = self.now
+            try:
+                self.shown = verdicts(exercise, text, language)
+            except Exception as error:  # whatever the machine does, the next text is checked
+                self.shown = Verdicts(exercise, language, text, None, f"{type(error).__name__}: {error}")
             self.on_verdicts()
 
 

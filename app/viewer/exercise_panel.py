@@ -127,6 +127,7 @@ class ExercisePanel:
         self.handing.add_done_callback(lambda _: glfw.wake())
 
     def close(self) -> None:
+        self.checker.on_verdicts = lambda: None
         self.thread.shutdown(wait=True, cancel_futures=True)
 
     # --- how it looks ------------------------------------------------------------------------------------------------
@@ -146,6 +147,7 @@ class ExercisePanel:
         self.widget.mark(self.faults(exercise, mine, text), self.app.theme)
         room = imgui.get_content_region_avail()
         self.widget.draw("code", ImVec2(0, min(self.widget.height(room.x), MOST * room.y)), self.app.theme)
+        imgui.spacing()
         self.buttons(name, language)
         imgui.separator()
         imgui.begin_child("verdicts")
@@ -183,7 +185,7 @@ class ExercisePanel:
             ink = style.ink("r", app.theme) if wrong else colour("quiet", app.theme)
             imgui.push_style_color(imgui.Col_.text, style.vec(ink))
             imgui.text_wrapped("The picture shows your last text that ran." if wrong else
-                               "The scene, the numbers and the plot are drawn by your text.")
+                               "The scene is drawn by your text, and all that is yours follows it.")
             imgui.pop_style_color()
             return
         is_python = self.language == "python"
