@@ -138,10 +138,21 @@ def verdicts(exercise: str, text: str, language: Language = "glsl") -> Verdicts:
         return Verdicts(exercise, language, text, None, str(problem))
 
 
-def hand_in(exercise: str, language: Language, texts: Mapping[str, str], folder: Path) -> tuple[Path, int, int]:
-    """Writes the file of the assignment that asks an exercise, of these texts (chapter/name -> text): where it is, how
-    many of its functions pass every visible check, and how many it has."""
+@dataclass(frozen=True)
+class Handed:
+    """A file to hand in: how many of its functions pass every visible check; `said`: why none of it runs."""
+
+    path: Path
+    good: int
+    count: int
+    said: str
+
+
+def hand_in(exercise: str, language: Language, texts: Mapping[str, str], folder: Path) -> Handed:
+    """Writes the file of the assignment that asks an exercise, of these texts (chapter/name -> text)."""
     from app.grade.live import asked_in
     from app.homework.hand_in import hand_in as write
 
-    return write(asked_in(exercise)[0], language, texts, folder)
+    path, found = write(asked_in(exercise)[0], language, texts, folder)
+    reasons = {one.said for one in found}
+    return Handed(path, sum(one.ok for one in found), len(found), reasons.pop() if len(reasons) == 1 else "")

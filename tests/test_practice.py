@@ -80,16 +80,18 @@ def test_the_outline_says_which_steps_have_exercises():
 # --- handed in -------------------------------------------------------------------------------------------------------
 def test_a_wrong_text_and_a_right_one_are_handed_in_as_one_file(tmp_path):
     right = EXERCISES[BLINN].solutions["glsl"]
-    path, good, count = hand_in(LAMBERT, "glsl", {LAMBERT: WRONG, BLINN: right}, tmp_path)
-    text = path.read_text("utf-8")
-    assert path == tmp_path / "brdfs" / "submission.glsl" and (good, count) == (1, count) and count >= 2
+    done = hand_in(LAMBERT, "glsl", {LAMBERT: WRONG, BLINN: right}, tmp_path)
+    text = done.path.read_text("utf-8")
+    assert done.path == tmp_path / "brdfs" / "submission.glsl" and done.good == 1 and done.count >= 2 and not done.said
     assert "// mine" in text and "// halfway homework: brdfs" in text
     assert not any(line.startswith("#") for line in text.split("\n"))
     hand_in(LAMBERT, "glsl", {LAMBERT: WRONG, BLINN: right}, tmp_path)
     assert not (tmp_path / "earlier").exists(), "the same text again is no other"
-    assert hand_in(LAMBERT, "glsl", {BLINN: right, LAMBERT: EXERCISES[LAMBERT].solutions["glsl"]}, tmp_path)[1] == 2
+    assert hand_in(LAMBERT, "glsl", {BLINN: right, LAMBERT: EXERCISES[LAMBERT].solutions["glsl"]}, tmp_path).good == 2
     kept = list((tmp_path / "earlier").iterdir())
     assert len(kept) == 1 and kept[0].read_text("utf-8") == text
+    broken = hand_in(LAMBERT, "glsl", {LAMBERT: WRONG.replace("; //", "//"), BLINN: right}, tmp_path)
+    assert broken.good == 0 and "compile error" in broken.said, "one file: what does not compile spoils the rest"
 
 
 @pytest.mark.parametrize("language", ["glsl", "python"])
@@ -97,8 +99,7 @@ def test_all_solutions_together_pass_every_visible_check(language, tmp_path):
     """Those that include the same constants too."""
     for chapter in ("geometry_term", "microfacets"):
         texts = {name: one.solutions[language] for name, one in EXERCISES.items() if name.startswith(chapter)}
-        _, good, count = hand_in(next(iter(texts)), language, texts, tmp_path)
-        assert good >= len(texts) and count >= good
+        assert hand_in(next(iter(texts)), language, texts, tmp_path).good >= len(texts)
 
 
 @pytest.mark.parametrize(("language", "texts", "words"), [

@@ -43,6 +43,11 @@ class ExercisePanel:
         return of_step(self.app.session.current)
 
     @property
+    def own(self) -> list[str]:
+        """Those that the step teaches."""
+        return [name for name, one in self.known.items() if taught(self.app.session.current, one)]
+
+    @property
     def name(self) -> str:
         """The exercise that is shown: the one chosen in this chapter, else the step's own."""
         known, found = self.known, self.app.session.current
@@ -247,10 +252,11 @@ class ExercisePanel:
 def handed_in(name: str, language: Language, texts: dict[str, str], folder: Path) -> str:
     """What a person is told of it."""
     try:
-        path, good, count = hand_in(name, language, texts, folder)
+        done = hand_in(name, language, texts, folder)
     except Problem as problem:
-        return str(problem)
-    return f"Written: {path}. {good} of its {count} functions pass{'es' if good == 1 else ''} every visible check."
+        return f"Not written: {problem}"
+    passing = f"{done.good} of its {done.count} functions pass{'es' if done.good == 1 else ''} every visible check"
+    return f"Written: {done.path}. {passing}{f' ({done.said})' if done.said else ''}."
 
 
 @cache
@@ -262,10 +268,9 @@ def drawn_in(name: str, steps: tuple[LoadedStep, ...]) -> str:
 
 
 def invitation(app) -> None:
-    """Below the prose of a step: a button for each exercise that it teaches, or for the chapter's first."""
+    """Below the prose of a step: a button for each exercise that it teaches."""
     panel = app.exercise
-    own = [name for name, one in panel.known.items() if taught(app.session.current, one)]
-    for name in own:
+    for name in panel.own:
         solved = panel.practice.solved(name)
         if imgui.button(f"Exercise: write {panel.known[name].function}{'  (solved)' if solved else ''}"):
             panel.open(name)
