@@ -1,8 +1,8 @@
 """A model of the board as a function that the term of a plot can name, also in the plots' own process.
 
     board:WORD     f(n, l, v, channel, values) in 1/sr
-    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1e-3, a pixel of a plot,
-                   where G has bends, and better where the model is smooth
+    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1.5e-4 (app/furnace.py),
+                   nearer to the horizon than two degrees to 8e-4
 
 WORD is what `halfway board` takes: a model of the course or a path. `channel` is 0, 1 or 2, or LUMINANCE for what the
 three weigh together; `values` are the model's parameters in their order, a colour as three numbers.
@@ -22,7 +22,7 @@ from app.problem import Usage
 
 LUMINANCE = -1
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])  # of linear sRGB (IEC 61966-2-1)
-ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-1]) ** 1.5), 89.9))  # denser to the horizon
+ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-5]) ** 2.75), 89.9))  # denser to the horizon
 
 
 def packed(parameters: tuple[Parameter, ...], values: dict[str, Default]) -> tuple[float, ...]:
@@ -63,9 +63,20 @@ def made(kind: str, word: str, stamp: tuple) -> Callable:
         return albedo(lambda n, l, v: value(n, l, v, channel, values), ANGLES)[0]
 
     def share(theta_v, channel, values):
-        return np.interp(theta_v, ANGLES, at_angles(channel, values))
+        return between(theta_v, at_angles(channel, values))
 
     return value if kind == "board" else share
+
+
+def between(theta_v, y: np.ndarray) -> np.ndarray:
+    """A smooth curve through the values at ANGLES: cubic pieces, their slopes by differences."""
+    x = np.clip(np.asarray(theta_v, float), ANGLES[0], ANGLES[-1])
+    i = np.clip(np.searchsorted(ANGLES, x) - 1, 0, len(ANGLES) - 2)
+    with np.errstate(invalid="ignore", over="ignore"):
+        slope, wide = np.gradient(y, ANGLES, edge_order=2), ANGLES[i + 1] - ANGLES[i]
+        u = (x - ANGLES[i]) / wide
+        return (y[i] * (1 + 2 * u) * (1 - u) ** 2 + y[i + 1] * u * u * (3 - 2 * u)
+                + wide * u * (1 - u) * (slope[i] * (1 - u) - slope[i + 1] * u))
 
 
 def channel_of(rgb: np.ndarray, channel: int) -> np.ndarray:
