@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import NoReturn
 
 from app import VERSION
+from app.display import has_display
 from app.problem import Problem, Usage, near
 
 INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
@@ -19,7 +20,13 @@ JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, 
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
+    "stress": ("app.stress.command", "stability: every function and every scene at its extremes"),
     "compare": ("app.compare.command", "a step's material by our GLSL and by pyrender, and why they differ"),
+    "study": ("app.study.command", "error against run time: what a digit costs, by every method"),
+    "homework": ("app.homework.command", "the assignments, a file to start from, and the test of their tests"),
+    "check": ("app.homework.check", "your answer to an assignment: what is right, what is not, and what it looks like"),
+    "grade": ("app.grade.command", "a folder of submissions against an assignment: marks, and a result a student"),
+    "export": ("app.export.web.command", "steps as pages that open in any browser, with a still beside each"),
     "doctor": ("app.doctor", "which parts work on this machine, and what mends the others"),
 }
 INTRODUCTION = "Halfway, the course in local shading that you can touch. Without a command it opens the window."
@@ -138,13 +145,6 @@ def course(options: argparse.Namespace) -> int:
     return int(import_module("app.export.gallery").run(options) or 0)
 
 
-def has_display() -> bool:
-    """Whether a window can open; without DISPLAY nothing of the window is imported."""
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        return False
-    return bool(import_module("app.viewer.glfw").has_display())
-
-
 # --- pictures --------------------------------------------------------------------------------------------------------
 def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
@@ -154,6 +154,8 @@ def render_arguments(parser: argparse.ArgumentParser) -> None:
                         help="values of the step, angles in degrees")
     parser.add_argument("--view", metavar="PART", help="scene, plot or both")
     parser.add_argument("--plot", metavar="N", help="which plot of a step that has several, from 1, or its title")
+    parser.add_argument("--broken", metavar="N", nargs="?", const="1",
+                        help="with naive forms in place of stable ones, as its button N (1) breaks it")
     parser.add_argument("--theme", metavar="NAME", help="dark, light or projector")
     parser.add_argument("--mesh", metavar="FILE", help="your mesh in place of the scene's: STL, OBJ, PLY or GLB")
     parser.add_argument("--ies", metavar="FILE", help="your luminaire in place of the scene's: an IES file (LM-63)")

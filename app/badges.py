@@ -20,16 +20,18 @@ radiance, that badge is not kept either, and its worst value is None.
 import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
+from importlib import import_module
 
 import numpy as np
 
+from app.edit import EDITED
 from app.furnace import PART, POLES, albedo, first_look
 from app.hemisphere import NORMAL
 from app.lesson import Model
 from app.optics import arguments, twin
 from app.optics.spherical import direction
 from app.readouts import three
-from app.terms import bound, evaluate
+from app.terms import bound, evaluate, is_yours
 
 NAMES = ("non_negative", "reciprocal", "energy", "finite", "linear")
 SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=True))  # where there is little room
@@ -39,6 +41,7 @@ ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swappe
 UNKNOWN = {"non_negative": "It is no number, or endlessly negative", "reciprocal": "One way round it is no number",
            "energy": "What it sends on is no number, or endless", "linear": "For some light it is no number"}
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
+SAME_FLOAT32 = 1e-4  # two ways around a float32 formula may differ by this much; a different formula differs by more
 VIEWS = np.radians([0, 15, 30, 45, 60, 70, 78, 84, 88, 89.5])  # at which light is summed over l
 SEEN = math.cos(math.radians(88.01))  # pairs that are swapped stand higher than this: nearer to the floor is extreme
 RADIANCES = 1e-3, 0.03, 1.0, 30.0, 1e3
@@ -78,12 +81,16 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
 
 
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
-    """The badges of a step's model at the step's values."""
+    """The badges of a step's model at the step's values. A model of the board judges itself, in every channel."""
+    if ":" in model.term.function:
+        packed = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0)["values"]
+        return import_module("app.board.terms").badges(model.term.function, packed, values.get(EDITED, ()))
 
     def reflect(n, l, v, radiance=1.0):
         return evaluate(model.term, values, n=n, l=l, v=v, radiance=radiance)
 
-    return check(reflect, shading=model.is_shading, of_radiance="radiance" in arguments(model.term.function))
+    return check(reflect, shading=model.is_shading, of_radiance="radiance" in arguments(model.term.function),
+                 same=SAME_FLOAT32 if is_yours(model.term, values) else SAME)
 
 
 def samples() -> tuple[np.ndarray, np.ndarray]:
@@ -193,7 +200,8 @@ def key(model: Model, values: dict) -> tuple:
     """What a model's badges depend on: the twin, another one once its file has changed, and its arguments, without the
     directions."""
     args = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0, radiance=0)
-    return twin(model.term.function), tuple((name, str(value)) for name, value in args.items())
+    edits = values.get(EDITED, ()) if is_yours(model.term, values) else ()
+    return twin(model.term.function), tuple((name, str(value)) for name, value in args.items()), edits
 
 
 def told(name: str, badge: Badge) -> str:

@@ -4,17 +4,22 @@
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
+from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 
 from app import shader
-from app.lesson import Chapter, Curves, Faces, Figure, Ledger, ModelPlot, Number, Scene, Step, Term, Value
+from app.lesson import Chapter, Curves, Faces, Figure, Ledger, ModelPlot, Number, Scene, Step, Study, Term, Value
 from app.paths import LESSONS
 from app.problem import Problem, Usage, near
 from app.quantities import FROM_ANGLES, TABLE, Quantity, entered, quantity
+from app.study.names import swept
+from app.study.names import terms as terms_of
 
+BOARD = "board/"  # steps that are made when they are asked for: see app/board/board_step.py
 FILE = re.compile(r"ch(\d+)_([a-z]\w*)")
 # what belongs to a mesh, and what a sheet sweeps: arguments that are no values
 DATA = frozenset({"triangles", "texture_coordinates", "s", "t"})
@@ -78,6 +83,19 @@ class LoadedStep:
             place = f"{self.file_name}, line {self.line(str(problem))}"
             raise Problem(f"{place}: step {self.step.name}: {problem}") from None
 
+    @property
+    def below(self) -> tuple["ValueSpec", ...]:
+        """The values whose controls stand below the scene."""
+        return tuple(self.values.values())
+
+    def derived(self, values: dict) -> dict:
+        """What the terms of this step need beside its values."""
+        return {}
+
+    def carried(self, other: "LoadedStep", values: dict) -> dict:
+        """Of another step's values those that mean the same here."""
+        return {}
+
     def line(self, sentence: str) -> int:
         """The line of the lesson's file with the word that, as a sentence says, there is not."""
         source, glsl = self.loaded.source, self.step.scene.glsl
@@ -100,6 +118,8 @@ class ValueSpec:
     scale: str = "linear"  # of its slider
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # the words of the numbers 0, 1, 2, ...
+    label: str = ""  # what it is called, where that is not what the table says
+    unfolds: bool = False  # its choices stand in a list that unfolds
 
 
 @cache
@@ -113,13 +133,29 @@ def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
     return tuple(LoadedStep(found, step, i) for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
 
 
+@cache
+def studies(folder: Path = LESSONS) -> dict[str, Study]:
+    """The studies of error against run time, by the name of their step: studies.py beside the chapters."""
+    file = Path(folder) / "studies.py"
+    if not file.exists():
+        return {}
+    try:
+        return module_of(file).STUDIES
+    except Exception as error:
+        place = f"{shader.file_name(file)}, line {line_of(error, file)}"
+        raise Problem(f"{place}: {type(error).__name__}: {getattr(error, 'msg', error)}.") from None
+
+
 def forget() -> None:
     """Read the lessons anew when they are asked for next: a lecturer has changed one."""
     chapters.cache_clear()
     steps.cache_clear()
+    studies.cache_clear()
 
 
 def step(id: str, folder: Path = LESSONS) -> LoadedStep:
+    if id.startswith(BOARD):
+        return import_module("app.board.board_step").step(id.removeprefix(BOARD))
     known = {found.id: found for found in steps(folder)}
     if id in known:
         return known[id]
@@ -141,17 +177,24 @@ def load(file: Path) -> Loaded:
     if not match:
         return broken("line 1: a chapter's file is named like ch01_solid_angle.py.")
     try:
-        spec = spec_from_file_location(f"lessons.{file.stem}", file)
-        assert spec and spec.loader
-        module = module_from_spec(spec)
-        spec.loader.exec_module(module)
+        module = module_of(file)
     except Exception as error:  # whatever a lesson does wrong, the other chapters go on
         return broken(f"line {line_of(error, file)}: {type(error).__name__}: {getattr(error, 'msg', error)}.")
     intro = (module.__doc__ or "").strip()
     chapter = getattr(module, "CHAPTER", None)
     if not isinstance(chapter, Chapter):
         return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
-    return Loaded(id, number, file, intro, chapter)
+    declared = studies(file.parent)
+    studied = tuple(replace(step, study=declared.get(f"{id}/{step.name}")) for step in chapter.steps)
+    return Loaded(id, number, file, intro, replace(chapter, steps=studied))
+
+
+def module_of(file: Path) -> ModuleType:
+    spec = spec_from_file_location(f"lessons.{file.stem}", file)
+    assert spec and spec.loader
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def line_of(error: Exception, file: Path) -> int:
@@ -172,6 +215,8 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
     found.append(("prediction", step.ask.truth, data))
     found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
+    found += [(f"leave-out {one.label!r}", one.error, data) for one in step.leave_outs
+              if isinstance(one.error, Term)]
     for plot in step.plots:
         if isinstance(plot, Curves):
             found += [(f"curve {c.label!r}", c.term, data | {plot.sweep}) for c in plot.curves]
@@ -183,6 +228,8 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
             found += [("balance", term, data) for term in plot.balance or ()]
         elif isinstance(plot, ModelPlot):
             found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in plot.models]
+        elif isinstance(plot, Study):
+            found += [(f"study {plot.title!r}", term, data | swept(plot)) for term in terms_of(plot)]
     return found
 
 
@@ -200,11 +247,12 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
     names += [table.choice for table in scene.tables if table.choice]
     if scene.dots and isinstance(scene.dots.count, str):
         names.append(scene.dots.count)
-    for _, term, swept in terms(step):
+    for _, term, free in terms(step):
         given = [term.args.get(name, name) for name in arguments(term.function)]
-        names += [name for name in given if isinstance(name, str) and name in TABLE and name not in swept]
+        names += [name for name in given if isinstance(name, str) and name in TABLE and name not in free]
     for plot in step.plots:
         names += [plot.sweep] if isinstance(plot, Curves) else ["l", "v"] if isinstance(plot, ModelPlot) else []
+        names += ["theta_v"] if isinstance(plot, Study) and plot.sampler else []
     names = [angle for name in names for angle in FROM_ANGLES.get(name, (name,))]
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}

@@ -2,7 +2,7 @@
 
 Every part is tried in a child process (`probes`) that may crash or hang without harm. The course can run when plots and
 LaTeX work and OpenGL works in a window or without one. The reference renderer, a second opinion for comparisons from
-chapter 2 on, is not needed for that.
+chapter 2 on, and the grading of homework are not needed for that.
 """
 
 import argparse
@@ -24,8 +24,8 @@ from app.paths import ROOT
 from app.remedies import SYSTEMS, XWAYLAND, first, mend, system
 
 PARTS = {"reference": "reference renderer", "plots": "plots", "headless": "OpenGL without a window",
-         "window": "window", "latex": "LaTeX"}  # the slow ones start first
-SHOWN = ("headless", "window", "plots", "latex", "reference")
+         "grading": "homework grading", "window": "window", "latex": "LaTeX"}  # the slow ones start first
+SHOWN = ("headless", "window", "plots", "latex", "reference", "grading")
 PACKAGES = ("numpy", "moderngl", "imgui-bundle", "pyvista", "vtk", "trimesh", "scikit-robot-pyrender", "pillow")
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader", "software", "gdi generic")
 TIMEOUT = 30.0
@@ -123,6 +123,9 @@ def good(name: str, facts: dict) -> str:
     if name == "latex":
         return {"aliased": "formulas are drawn (C.UTF-8 stands in for the missing locale en_US.UTF-8)"}.get(
             facts["locale"], "formulas are drawn")
+    if name == "grading":
+        lower = "" if facts["safe"] else f"; `halfway grade` wants --level {facts['level']} ({facts['why']})"
+        return f"isolation {facts['level']}: {facts['meaning']}{lower}"
     return {"headless": "draws", "plots": "pyvista draws", "reference": "pyrender draws"}[name]
 
 
@@ -170,6 +173,8 @@ def words(parts: dict[str, Part]) -> str:
     wide = max(map(len, PARTS.values()))
     for name, part in parts.items():
         lines.append(f"{'works ' if part.works else 'BROKEN'}  {PARTS[name]:{wide}}  {part.words}")
+        if not part.works and name == "grading":
+            lines.append(f"{'':{wide + 10}}(needed only to grade what others hand in)")
         if not part.works and name == "reference":
             lines.append(f"{'':{wide + 10}}(needed from chapter 2 on, only to compare with a second renderer)")
         lines += [f"{'':{wide + 10}}{SYSTEMS[key]}: {command}" for key, command in part.mend.items()]

@@ -127,8 +127,8 @@ def product(reflect: Reflect, pole: str, theta_v: np.ndarray, width: np.ndarray,
 
 def refined(reflect: Reflect, pole: str, theta_v: np.ndarray, width: np.ndarray, size: np.ndarray,
             round_about: float, tiles: int) -> tuple[np.ndarray, np.ndarray]:
-    """The integral at each angle and an estimate of its error: tiles of the square (s, t), each cut into four where that
-    changes more than ENOUGH of `size`, until it does not."""
+    """The integral at each angle and an estimate of its error: tiles of the square (s, t), each cut into four where
+    that changes more than ENOUGH of `size`, until it does not."""
     v, (x, y, weight) = direction(theta_v, 0.0)[:, None, :], rule_of_a_tile()
 
     def sums(at, s, t, high):

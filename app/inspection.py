@@ -9,10 +9,13 @@ from app import shader
 from app.badges import as_json, of_model
 from app.catalog import LoadedStep, step
 from app.gpu.stage_text import Programs, programs, vertices
+from app.leaving import decisions, lean
 from app.lesson import Scene
+from app.problem import Usage
 from app.state import parse
 
 ATTRIBUTE = re.compile(r"^\s*(?:flat\s+)?in\s+(\w+)\s+(\w+)\s*;", re.M)
+VARYING = re.compile(r"^\s*(?:flat\s+)?out\s+\w+\s+(\w+)\s*;", re.M)
 DRAWN = {"surface": "surfaces", "mesh": "meshes", "dots": "clouds of dots", "mark": "marks",
          "probe": "points asked for", "anchor": "labels placed"}
 
@@ -45,14 +48,23 @@ class Inspection:
     left_out: tuple[str, ...]  # sentences
     faults: tuple[str, ...]  # what a test refuses
     badges: dict[str, dict]  # of its models at these values: label -> badge -> ok, worst, at
+    decisions: tuple[str, ...] = ()  # what it does without at these values, and what that costs
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
+    parser.add_argument("step", metavar="STEP", nargs="?", default="", help="chapter/step, or a state string")
+    parser.add_argument("--all", action="store_true",
+                        help="every step: what it compiles, what lies about, and its cost beside everything on")
     parser.add_argument("--json", action="store_true", help="print it as JSON")
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.all == bool(options.step):
+        raise Usage("halfway inspect wants a step, or --all for all of them.")
+    if options.all:
+        from app.inspect_all import run as run_all
+
+        return run_all(options)
     state = parse(options.step)
     found = inspect(step(state.step), state.values)
     print(json.dumps(asdict(found), indent=1, ensure_ascii=False) if options.json else words(found))
@@ -60,8 +72,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
-    scene = found.step.scene
     values = values or {name: spec.default for name, spec in found.values.items()}
+    made = decisions(found, values)
+    found = lean(found, made)
+    scene = found.step.scene
     texts = programs(scene, found.file_name, found.glsl_line)
     own = set(shader.signatures(scene.glsl))
     kept = {name for pair in texts.values() for part in pair if part for name in part.kept}
@@ -77,7 +91,8 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
         passes, vertices(scene, triangles(scene, values), values), table_sizes(scene, values), packages(found),
         ("window", "plot (pyvista and VTK, on its own)"),
         tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts),
-        {model.label: as_json(of_model(model, values)) for model in found.step.models})
+        {model.label: as_json(of_model(model, values)) for model in found.step.models},
+        tuple(one.words for one in made))
 
 
 def one_pass(name: str, pair: tuple[shader.Assembled, shader.Assembled | None], scene: Scene) -> Pass:
@@ -153,7 +168,21 @@ def faults(found: LoadedStep, texts: Programs) -> tuple[str, ...]:
           if name not in called),
         *(f"{where}: the table {table.uniform} is named and not used." for table in found.step.scene.tables
           if table.uniform not in used),
-        *(f"{where}: nothing of {file} is used." for file in sorted(direct & idle_files(texts))))
+        *(f"{where}: nothing of {file} is used." for file in sorted(direct & idle_files(texts))),
+        *(f"{where}: the pass {name} is compiled and nothing is drawn with it." for name in texts
+          if not drawn(found.step.scene)[name]),
+        *(f"{where}: {sentence}" for name, pair in texts.items() for sentence in unread(name, *pair)))
+
+
+def unread(name: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> tuple[str, ...]:
+    """Attributes the vertex text does not read, and varyings the fragment text does not."""
+    def idle(words: list[str], text: str) -> list[str]:
+        return [word for word in words if len(re.findall(rf"\b{word}\b", text)) < 2]  # once where it is declared
+
+    attributes = idle([word for _, word in ATTRIBUTE.findall(vertex.text)], vertex.text)
+    varyings = idle(VARYING.findall(vertex.text), fragment.text) if fragment else []
+    return (*(f"the attribute {word} of the pass {name} is not read." for word in attributes),
+            *(f"the varying {word} of the pass {name} is not read." for word in varyings))
 
 
 def idle_files(texts: Programs) -> set[str]:
@@ -178,7 +207,7 @@ def words(found: Inspection) -> str:
     lines += [f"badges      {label}: {listed(name if one['ok'] else f'NOT {name}' for name, one in badges.items())}"
               for label, badges in found.badges.items()]
     lines += [f"process     {listed(found.processes)}", "", "left out"]
-    lines += [f"  {sentence}" for sentence in found.left_out]
+    lines += [f"  {sentence}" for sentence in (*found.decisions, *found.left_out)]
     lines += [f"  not called: {listed(found.functions_left_out)}"] * bool(found.functions_left_out)
     lines += ["", "faults", *(f"  {sentence}" for sentence in found.faults)] if found.faults else []
     return "\n".join(lines)

@@ -4,27 +4,14 @@ What depends on a value lives in GLSL (the scene's functions) or is the name of 
 constant.
 """
 
-from dataclasses import dataclass, field, fields, replace
-from functools import cache, cached_property
-from typing import Literal, get_args, get_origin
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Literal
 
-Number = float | tuple[float, ...]
+from app.classroom import Break, Check, Choice, Exercise, LeaveOut, Prediction  # noqa: F401  lessons import all here
+from app.worded import Number, Term, Worded, vocabulary  # noqa: F401
+
 Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
-
-
-class Worded:
-    """Refuses a word that a field does not know, there where the lesson says it."""
-
-    def __post_init__(self) -> None:
-        for name, words in vocabulary(type(self)):  # type: ignore[arg-type]
-            if (given := getattr(self, name)) not in words:
-                raise ValueError(f"{name}={given!r}; it can be {', '.join(map(repr, words))}")
-
-
-@cache
-def vocabulary(kind: type) -> tuple[tuple[str, tuple], ...]:
-    """The fields of a class that take one of some words."""
-    return tuple((f.name, get_args(f.type)) for f in fields(kind) if get_origin(f.type) is Literal)
 
 
 @dataclass(frozen=True)
@@ -41,14 +28,6 @@ class Value(Worded):
     scale: Literal["", "linear", "log"] = ""  # "": as in quantities
     more: bool = False  # behind "more"
     choices: tuple[str, ...] = ()  # an integer value whose numbers have names
-
-
-@dataclass(frozen=True)
-class Term:
-    """A twin by its name; an argument not named in `args` is the value of its own name, text names another value."""
-
-    function: str
-    args: dict[str, str | Number] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -135,6 +114,16 @@ class Table(Worded):
 
 
 @dataclass(frozen=True)
+class Text:
+    """GLSL written elsewhere (`file`, from line `first` on) that a scene includes by this name: a user's model."""
+
+    name: str
+    text: str
+    file: str
+    first: int = 1
+
+
+@dataclass(frozen=True)
 class Camera:
     azimuth: float = -50.0  # degrees, from +x towards +y
     elevation: float = 22.0  # degrees
@@ -155,6 +144,10 @@ class Scene:
     meshes: tuple[str, ...] = ()  # built-in ones, chosen by the value `shape`; a user's file replaces them
     legend: tuple[tuple[Colour, str], ...] = ()
     tables: tuple[Table, ...] = ()
+    negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
+    texts: tuple[Text, ...] = ()
+    measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 
 @dataclass(frozen=True)
@@ -191,6 +184,7 @@ class Curves(Worded):
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
     most: float = 0.0  # where a linear axis ends at the latest, above 0: what goes beyond it is cut there, and named
+    tab: str = ""  # a word for its tab
 
 
 @dataclass(frozen=True)
@@ -267,6 +261,7 @@ class Slice(Worded):
     models: tuple[Model, ...] = ()
     over: Literal["v", "l"] = "v"
     kind: Literal["polar", "angle"] = "polar"
+    tab: str = ""
 
 
 @dataclass(frozen=True)
@@ -278,32 +273,42 @@ class ImageSlice:
     models: tuple[Model, ...] = ()
 
 
+@dataclass(frozen=True)
+class Method:
+    """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
+    whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
+    arguments in the step, or what `sets` says, "N" standing for the samples."""
+
+    label: str
+    rule: str = ""
+    term: Term | None = None
+    cost: str = ""
+    ladder: tuple[int, ...] = ()  # none: the rule's own
+    sets: dict[str, Number | str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Study(Worded):
+    """Error against run time: what a quantity costs by several methods. It is what their twins estimate, or the
+    integral of a product of twins over "directions" (all l, times n.l), "halfways" (all h, times n.h), the "sphere"
+    (all `towards`), "angles" (all theta and phi) or "wavelengths". `halfway study` looks at all `cases`; an error is
+    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` (a value, a twin) how wide the lobe is."""
+
+    title: str
+    exact: Term | Method | float
+    methods: tuple[Method, ...]
+    why: str  # why the winner wins
+    over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
+    integrand: tuple[Term, ...] = ()
+    sampler: str = ""
+    width: str | Term = ""
+    about: Literal["halfway", "mirror"] = "halfway"
+    cases: tuple[dict[str, Number], ...] = ({},)
+    worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
+
 ModelPlot = Lobes | Slice | ImageSlice
-Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice
-
-
-@dataclass(frozen=True)
-class Choice:
-    """An answer to choose; it is right when the truth lies in [low, high]."""
-
-    text: str
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Prediction(Worded):
-    """Asked before it is told: a guess on a slider from `low` to `high`, or one of `choices`; the truth is a twin."""
-
-    question: str
-    truth: Term
-    unit: str
-    told: str  # what the reveal says
-    low: float = 0.0
-    high: float = 1.0
-    scale: Literal["linear", "log"] = "linear"
-    choices: tuple[Choice, ...] = ()
-    sets: dict[str, Number] = field(default_factory=dict)  # the state in which the truth is shown, and computed
+Plot = Curves | Figure | Faces | Ledger | Lobes | Slice | ImageSlice | Study
 
 
 @dataclass(frozen=True)
@@ -312,7 +317,7 @@ class Step:
     title: str
     idea: str  # the one sentence to take home
     slides: tuple[str, ...]  # titles of the deck
-    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
+    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values, (code:d_beckmann) opens GLSL
     scene: Scene
     plot: Plot | tuple[Plot, ...]
     readouts: tuple[Readout, ...]
@@ -324,35 +329,17 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
+    study: Study | None = None  # of lessons/studies.py
+    breaks: tuple[Break, ...] = ()
+    leave_outs: tuple[LeaveOut, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
-        """Its plots, each with the models it shows."""
+        """Its plots, each with the models it shows; its study last."""
         given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
+        given += (self.study,) if self.study else ()
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
-
-
-@dataclass(frozen=True)
-class Check:
-    """Points at which a student's function is compared with the twin: argument name to numbers."""
-
-    args: dict[str, tuple]
-    words: str
-    hidden: bool = False
-
-
-@dataclass(frozen=True)
-class Exercise:
-    """Write this twin. The stub must fail and the solution must pass in each language."""
-
-    name: str
-    function: str
-    task: str
-    slide: str
-    stubs: dict[str, str]  # "python" and "glsl"
-    solutions: dict[str, str]
-    checks: tuple[Check, ...]
 
 
 @dataclass(frozen=True)

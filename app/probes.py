@@ -106,7 +106,15 @@ def reference() -> dict:
     return {}
 
 
-PROBES = {probe.__name__: probe for probe in (headless, window, plots, latex, reference)}
+def grading() -> dict:
+    """How well a stranger's homework is isolated: found by trying to break out."""
+    from app.grade import level
+
+    found = level.found()
+    return {"level": found.name, "meaning": level.MEANING[found.name], "safe": found.safe, "why": found.why}
+
+
+PROBES = {probe.__name__: probe for probe in (headless, window, plots, latex, reference, grading)}
 
 
 def main(name: str) -> None:

@@ -42,6 +42,13 @@ class Progress:
     def visited(self, step: str) -> bool:
         return bool(self.entry("steps", step))
 
+    def texts(self, step: str) -> tuple[dict[str, str], dict[str, str]]:
+        """What was typed in the place of the step's functions, and what was put aside of it: name -> text."""
+        entry = self.entry("steps", step)
+        tables = (entry.get(name, {}) for name in ("texts", "aside"))
+        one, two = ({k: v for k, v in t.items() if isinstance(v, str)} if isinstance(t, dict) else {} for t in tables)
+        return one, two
+
     def answer(self, step: str) -> Data | None:
         """{"guess": ..., "choice": ..., "truth": ..., "when": seconds}, or None."""
         return self.entry("answers", step) or None
@@ -61,6 +68,10 @@ class Progress:
     def put_state(self, step: str, state: str) -> None:
         self.put("steps", step, state=state)
         self.put("settings", "last_step", value=step)
+
+    def put_texts(self, step: str, texts: dict[str, str], aside: dict[str, str]) -> None:
+        if (texts, aside) != self.texts(step):
+            self.put("steps", step, texts=dict(texts), aside=dict(aside))
 
     def put_answer(self, step: str, guess: float | None, choice: int | None, truth: float | None) -> None:
         self.put("answers", step, guess=guess, choice=choice, truth=truth)

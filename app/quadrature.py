@@ -8,15 +8,22 @@ import numpy as np
 
 @cache
 def gauss_legendre(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Nodes and weights, (count,) each: exact for polynomials up to degree 2 count - 1. Newton on the recurrence."""
-    x = -np.cos(pi * (np.arange(count) + 0.75) / (count + 0.5))
+    """Nodes and weights, (count,) each: exact for polynomials up to degree 2 count - 1. Newton on the recurrence.
+
+    The lower half of the nodes y in [0, 1] is found from (-1)^k P_k(2 y - 1) = 1 + a sum of steps that carry y as a
+    factor, so that a node near 0 has all its digits; the upper half mirrors it.
+    """
+    y = np.sin(0.5 * pi * (np.arange((count + 1) // 2) + 0.75) / (count + 0.5)) ** 2
     for _ in range(6):
-        before, now = np.ones(count), x
-        for k in range(2, count + 1):
-            before, now = now, ((2 * k - 1) * x * now - (k - 1) * before) / k
-        slope = count * (before - x * now) / ((1 - x) * (1 + x))
-        x = x - now / slope
-    weights = 1 / ((1 - x) * (1 + x) * slope**2)
-    nodes, weights = 0.5 * (x + 1), weights / weights.sum()
+        value, step = np.ones_like(y), np.zeros_like(y)
+        for k in range(count):
+            step = (k * step - 2 * (2 * k + 1) * y * value) / (k + 1)
+            value = value + step
+        slope = 0.5 * count * (step - 2 * y * value) / (y * (1 - y))  # the last step is P_n less P_(n-1)
+        y = y - value / slope
+    half = 1 / (y * (1 - y) * slope**2)
+    mirrored = slice(None, None, -1) if count % 2 == 0 else slice(-2, None, -1)
+    nodes, weights = np.append(y, 1 - y[mirrored]), np.append(half, half[mirrored])
+    weights = weights / weights.sum()
     nodes.flags.writeable = weights.flags.writeable = False
     return nodes, weights

@@ -22,7 +22,7 @@ class Quantity:
     words: str
     extreme: tuple[float, float] | None = None  # beyond the ordinary range; None: the same
     scale: Literal["linear", "log"] = "linear"
-    kind: Literal["float", "int", "vec2", "vec3"] = "float"
+    kind: Literal["float", "int", "vec2", "vec3", "color"] = "float"
 
     @property
     def is_angle(self) -> bool:
@@ -34,7 +34,15 @@ class Quantity:
 
     @property
     def width(self) -> int:
-        return {"vec2": 2, "vec3": 3}.get(self.kind, 1)
+        return {"vec2": 2, "vec3": 3, "color": 3}.get(self.kind, 1)
+
+    def shown(self, value: Number) -> Number:
+        """A value as the screen shows it: angles in degrees."""
+        return scaled(value, 180 / PI) if self.is_angle else value
+
+    def entered(self, value: Number) -> Number:
+        """A value typed in screen units, as the formulas want it."""
+        return scaled(value, PI / 180) if self.is_angle else value
 
 
 TAU, PI = 2 * math.pi, math.pi
@@ -237,6 +245,7 @@ TABLE: dict[str, Quantity] = {
     "map_t": Quantity("t", "", 0.0, 1.0, 0.5, "place on the map, from the front"),
     "map_layers": Quantity("k", "", 0, 4, 4, "how many of the maps are on", kind="int"),
     "map_trap": Quantity("k", "", 0, 3, 0, "which map is read wrongly", kind="int"),
+    "turned": Quantity(r"\psi", "rad", -PI, PI, 0.0, "turn of the picked point about the line of sight"),
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("K", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
@@ -286,13 +295,13 @@ def quantity(name: str) -> Quantity:
 
 
 def shown(name: str, value: Number) -> Number:
-    """A value as the screen shows it: angles in degrees."""
-    return scaled(value, 180 / PI) if quantity(name).is_angle else value
+    """A value of the table as the screen shows it."""
+    return quantity(name).shown(value)
 
 
 def entered(name: str, value: Number) -> Number:
-    """A value typed in screen units, as the formulas want it."""
-    return scaled(value, PI / 180) if quantity(name).is_angle else value
+    """A value of the table typed in screen units, as the formulas want it."""
+    return quantity(name).entered(value)
 
 
 def scaled(value: Number, factor: float) -> Number:

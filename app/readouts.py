@@ -7,18 +7,21 @@ fonts at hand have no raised digits; `raised` cuts a text into pieces for those 
 import math
 import re
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.edit import EDITED
 from app.lesson import Readout, Step
+from app.needs import key, of_term
 from app.problem import Problem
-from app.terms import evaluate
+from app.terms import evaluate, is_yours
 
 ROUNDING = {"float64": 2.0**-52, "float32": 2.0**-23}  # one unit in the last place
 DIGITS = {"float64": 17, "float32": 9}  # enough to tell any two neighbours apart
 SUMS = {"solid_angle_mesh": 4 * math.pi, "winding_number": 1.0}  # signed sums of terms of this size: they cancel
 NOTHING = 1e-12  # of that size is 0, but for rounding
+Known = dict[str, tuple[tuple, tuple[float, float]]]  # a readout's label -> the values it needs, what it was and cost
 _warm: set[tuple[str, str]] = set()  # what has been evaluated once: compiling is no part of a number's cost
 
 
@@ -34,13 +37,33 @@ class Number:
     full_text: str  # all digits, for the tool-tip
     cost_ms: float | None  # of evaluating an estimate once, with the way to the GPU and back in float32
     cost_text: str = ""
+    whose: str = ""  # "yours" or "the course's", while something is edited
 
 
-def numbers(step: Step, values: dict, ctx=None) -> list[Number]:
-    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`)."""
-    found = {readout.label: measured(readout, values, ctx) for readout in step.readouts}
+def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> list[Number]:
+    """The step's readouts at these values (radians inside; a mesh step carries its `triangles`). What is `known` and
+    does not depend on a value that has changed is not computed again."""
+    found = {readout.label: remembered(readout, values, ctx, {} if known is None else known)
+             for readout in step.readouts}
     shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
-    return [number_of(readout, *found[readout.label], shown.get(readout.against)) for readout in step.readouts]
+    made = [number_of(evaluated(readout, values), *found[readout.label], shown.get(readout.against))
+            for readout in step.readouts]
+    if EDITED not in values:
+        return made
+    return [replace(number, whose="yours" if is_yours(readout.term, values) else "the course's")
+            for readout, number in zip(step.readouts, made, strict=True)]
+
+
+def evaluated(readout: Readout, values: dict) -> Readout:
+    """The readout in the precision it is evaluated in: a text of the user's is GLSL."""
+    return replace(readout, precision="float32") if is_yours(readout.term, values) else readout
+
+
+def remembered(readout: Readout, values: dict, ctx, known: Known) -> tuple[float, float]:
+    now = key(values, of_term(readout.term))
+    if known.get(readout.label, ((None,),))[0] != now:
+        known[readout.label] = now, measured(readout, values, ctx)
+    return known[readout.label][1]
 
 
 def without_rounding(readout: Readout, value: float) -> float:

@@ -21,7 +21,7 @@ LOCALE = {"debian": "sudo apt-get update && sudo apt-get install -y locales && "
           "fedora": "sudo dnf install -y glibc-langpack-en"}
 RUNTIME = "winget install --id Microsoft.VCRedist.2015+.x64"  # what wheels with C++ in them need on Windows
 PACKAGES = {"headless": "moderngl", "window": "imgui-bundle", "plots": "pyvista", "latex": "imgui-bundle",
-            "reference": "scikit-robot-pyrender"}
+            "reference": "scikit-robot-pyrender", "grading": "moderngl"}
 INSTALLED_AS = {"imgui_bundle": "imgui-bundle", "pyrender": "scikit-robot-pyrender", "vtkmodules": "vtk",
                 "OpenGL": "pyopengl", "PIL": "pillow"}
 

@@ -9,12 +9,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app import prediction
-from app.catalog import LoadedStep, chapters, step, steps
-from app.lesson import Number, Plot
+from app.breaking import broken, values_of
+from app.catalog import BOARD, LoadedStep, chapters, step, steps
+from app.edit import Function, among_values, functions, source_of
+from app.lesson import Break, Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
 from app.problem import Problem, Usage, near
 from app.progress import Progress
+from app.shader import Overrides
 from app.state import State, View, defaults, parse, parse_query, write
 from app.typed import checked
 from app.visit import Visit
@@ -43,6 +46,7 @@ class Session:
         self.message = ""  # one sentence for the person
         self.told = progress.message if progress else ""  # of the progress file
         self.frozen = False  # the picture waits for the guess: values stay as they are
+        self.sound: tuple[LoadedStep, dict[str, Number], int] | None = None  # while a step is broken: it, as it was
         self.revision = 0  # grows when anything changes that a picture shows
         self.visits: dict[str, Visit] = {}
         self.steps = steps(folder)
@@ -51,7 +55,7 @@ class Session:
             raise Problem(faults[0] if faults else f"there is no lesson in {folder}.")
         last = progress.setting("last_step") if progress else None
         known = {found.id for found in self.steps}
-        self.current = step(start.partition("?")[0] or (last if last in known else self.steps[0].id), folder)
+        self.current = self.found(start.partition("?")[0] or (last if last in known else self.steps[0].id))
         self.visit = self.enter(self.current)
         if "?" in start:
             self.visit.put(*unpacked(parse(start, folder)))
@@ -89,10 +93,25 @@ class Session:
         state = parse(text, self.folder)
         self.end_change()
         self.save()
-        self.current = step(state.step, self.folder)
+        self.mend()
+        self.current = self.found(state.step)
         self.visit = self.enter(self.current)
         if "?" in text:
             self.change(*unpacked(state))
+
+    def found(self, id: str) -> LoadedStep:
+        """The step of that name; one that is made when it is asked for stands behind the course's, one at a time."""
+        found = step(id, self.folder)
+        if id.startswith(BOARD):
+            self.steps = (*(one for one in self.steps if not one.id.startswith(BOARD)), found)
+        return found
+
+    def examine(self, id: str) -> None:
+        """The board of other models: what was set there stays set."""
+        found = step(id, self.folder)
+        kept = found.carried(self.current, self.values)
+        self.go(id)
+        self.change({**self.values, **kept}, self.view)
 
     def next(self) -> bool:
         return self.move(1)
@@ -125,14 +144,17 @@ class Session:
             if state is not None:
                 visit.put(*unpacked(parse(state, self.folder)))
             visit.answer = answer_of(found, self.progress.answer(found.id))
+            visit.texts, visit.aside = self.progress.texts(found.id)
         except Usage:
             self.message = f"What you left in {found.id} no longer fits the lesson; it starts afresh."
         return visit
 
     def save(self) -> None:
-        """Remember this step on disk: when it is left, when a truth is told, and now and then."""
-        if self.progress:
+        """Remember this step on disk: when it is left, when a truth is told, and now and then. The board is no step of
+        the course."""
+        if self.progress and not self.current.id.startswith(BOARD):
             self.progress.put_state(self.current.id, self.state)
+            self.progress.put_texts(self.current.id, self.visit.texts, self.visit.aside)
             self.progress.save()
             if self.progress.message not in ("", self.told):  # once is enough
                 self.message = self.told = self.progress.message
@@ -188,6 +210,7 @@ class Session:
         if name:
             self.change({**self.values, name: own[name]}, self.view)
         else:
+            self.mend()
             self.change(own, View.of(self.current.step.scene.camera))
 
     def change(self, values: dict[str, Number], view: View) -> None:
@@ -212,6 +235,90 @@ class Session:
     def moved(self, done: bool) -> bool:
         self.revision += done
         return done
+
+    # --- what one leaves out -----------------------------------------------------------------------------------------
+    def decide(self, label: str, is_out: bool | None) -> None:
+        """Leave something out, or keep it, whatever the scene thinks; None: as the scene thinks."""
+        if is_out is None:
+            self.visit.decided.pop(label, None)
+        else:
+            self.visit.decided[label] = is_out
+        self.revision += 1
+
+    # --- what one breaks ---------------------------------------------------------------------------------------------
+    @property
+    def broken(self) -> Break | None:
+        """What is broken now."""
+        return self.sound[0].step.breaks[self.sound[2]] if self.sound else None
+
+    def break_it(self, which: int = 0) -> None:
+        """Naive forms at the values where they fail; the same again mends it, another breaks that instead."""
+        again = self.sound is not None and self.sound[2] == which
+        self.mend()
+        if again:
+            return
+        if which >= len(self.current.step.breaks):
+            raise Usage(f"there is nothing to break in {self.current.id}.")
+        before = dict(self.values)
+        self.change({**self.values, **values_of(self.current, self.current.step.breaks[which])}, self.view)
+        self.sound = self.current, before, which
+        self.current = broken(self.current, which)
+        self.revision += 1
+
+    def mend(self) -> None:
+        """The stable forms again, at the values from before; nothing where nothing is broken."""
+        if self.sound:
+            (self.current, before, _), self.sound = self.sound, None
+            self.change(before, self.view)
+            self.revision += 1
+
+    # --- what one types ----------------------------------------------------------------------------------------------
+    @property
+    def functions(self) -> dict[str, Function]:
+        """What may be edited in this step."""
+        return functions(self.current)
+
+    @property
+    def edited(self) -> dict[str, Overrides]:
+        """What values carry of the texts that run."""
+        running = self.visit.running
+        return among_values(running, self.functions, source_of(self.current)) if running else {}
+
+    def text(self, name: str) -> str:
+        """A function as it was typed last, or the course's."""
+        return self.visit.texts.get(name, self.function(name).text)
+
+    def function(self, name: str) -> Function:
+        if name not in self.functions:
+            raise Usage(f"{self.current.id} compiles no function {name}.{near(name, self.functions)}")
+        return self.functions[name]
+
+    def type(self, name: str, text: str) -> None:
+        """A text in a function's place; it runs once it compiles (`run`). The course's own is no edit."""
+        if text == self.function(name).text:
+            self.visit.texts.pop(name, None)
+        else:
+            self.visit.texts[name] = text
+        self.revision += 1
+
+    def run(self, texts: dict[str, str]) -> None:
+        """These compile: numbers, plots and badges follow them."""
+        if texts != self.visit.running:
+            self.visit.running = dict(texts)
+            self.revision += 1
+
+    def restore(self, name: str) -> None:
+        """The course's text again; what was typed can be brought back."""
+        self.put_aside(name)
+        self.type(name, self.function(name).text)
+
+    def put_aside(self, name: str) -> None:
+        """What was typed is kept, to be brought back."""
+        if name in self.visit.texts:
+            self.visit.aside[name] = self.visit.texts[name]
+
+    def bring_back(self, name: str) -> None:
+        self.type(name, self.visit.aside.pop(name, self.text(name)))
 
     # --- what one guesses --------------------------------------------------------------------------------------------
     @property
@@ -243,7 +350,7 @@ class Session:
         if self.current.step.ask.sets:
             self.change(prediction.truth_values(self.current), self.view)
         self.revision += 1
-        if self.progress:
+        if self.progress and not self.current.id.startswith(BOARD):
             self.progress.put_answer(self.current.id, self.answer.guess, self.answer.choice, truth)
         self.save()
         return self.answer

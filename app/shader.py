@@ -22,6 +22,7 @@ PARAMETER = re.compile(r"(?:(?:const|in|out|inout|highp|mediump|lowp)\s+)*(\w+)\
                        r"(\w+)\s*(?:\[\s*(\w+)\s*\])?")
 WORD = re.compile(r"[A-Za-z_]\w*")
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
+WIDTH = {"float": 1, "int": 1, "vec2": 2, "vec3": 3, "vec4": 4}  # numbers of what is evaluated point by point
 ALWAYS = "#"  # what #if, #else and #endif count as: they are never left out
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 
@@ -40,6 +41,9 @@ class Source:
     text: str
     file: str
     first: int = 1
+
+
+Overrides = tuple[tuple[str, Source], ...]  # (what #include names, what is read in its place), in order of names
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ WORDS = {  # where the name itself is no word
     "f0": "head-on share", "f82": "share at 82°", "s": "", "t": "", "x": "sideways", "y": "up",
     "xi_1": "", "xi_2": "", "slope2": "", "slope": "", "tangent": "", "steep": "", "disk_x": "place on the disk",
     "x0": "left", "x1": "right", "y0": "near", "y1": "far", "d_theta": "step", "d_phi": "step around",
-    "map_s": "place", "map_t": "place", "map_layers": "maps up to", "map_trap": "misread", "bump_slope": "bumps' slope",
+    "turned": "turn", "map_s": "place", "map_t": "place", "map_layers": "maps up to", "map_trap": "misread",
+    "bump_slope": "bumps' slope",
     "normal_length": "normal's length", "ev100": "exposure", "curve": "tone curve", "taken": "taken as L",
     "n_dot_l": "", "n_dot_v": "", "n_dot_h": "", "l_dot_h": "", "r_dot_v": "",
 }

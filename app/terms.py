@@ -1,10 +1,15 @@
 """A lesson's `Term` at given values: the Python twin in float64, or the GLSL twin in float32.
 
+Where a text of the user's own is part of the twin (`edit.EDITED` among the values), its GLSL is what is evaluated.
+
 The unit vectors n, l, v and h are no values: they follow from the angles theta_l, theta_v and phi, n being +z.
 """
 
+from importlib import import_module
+
 import numpy as np
 
+from app.edit import EDITED, follows
 from app.lesson import Term
 from app.optics import arguments, twin
 from app.quantities import FROM_ANGLES
@@ -43,8 +48,17 @@ def evaluate(term: Term, values: dict, precision: str = "float64", ctx=None, **s
     A mesh step carries its triangles (faces, 3, 3) as the value `triangles`.
     """
     args = bound(term, values, **swept)
-    if precision == "float64":
+    edits = values.get(EDITED, ())
+    yours = follows(term.function, edits)
+    if precision == "float64" and not yours:
         return np.asarray(twin(term.function)(**args))
+    if ":" in term.function:
+        return np.asarray(import_module("app.board.terms").function(term.function, edits)(**args))
     from app.gpu.evaluate import evaluate as on_gpu
 
-    return on_gpu(term.function, args, ctx=ctx)
+    return on_gpu(term.function, args, ctx=ctx, overrides=dict(edits) if yours else None)
+
+
+def is_yours(term: Term, values: dict) -> bool:
+    """Whether the value is made of the user's own text."""
+    return follows(term.function, values.get(EDITED, ()))

@@ -14,6 +14,7 @@ from app.optics import twin
 from app.optics.blinn_phong import _flux as _blinn_flux
 from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
+from app.optics.leave_out import _FLOOR
 from app.optics.ndf import _rings, d_at
 from app.optics.outline import _fan as _outline_fan
 from app.optics.projected_solid_angle import _above_horizon
@@ -35,12 +36,12 @@ def norm(value: np.ndarray, is_vector: bool) -> np.ndarray:
     return np.sqrt(np.sum(value * value, -1)) if is_vector else np.abs(value)
 
 
-def moved(function: str, args: dict, is_vector: bool = False) -> np.ndarray:
+def moved(function: str | Callable, args: dict, is_vector: bool = False) -> np.ndarray:
     """cond |f|: by how much f moves, in units of the change, when every input moves; central differences in float64.
 
     A scalar moves by its own size, a component of a vector by the size of the vector: which axis is x does not matter.
     """
-    f = twin(function)
+    f = twin(function) if isinstance(function, str) else function
     total = np.zeros_like(norm(f(**args), is_vector))
     for name, given in args.items():
         x = np.asarray(given)
@@ -139,10 +140,12 @@ def _piece_terms(sky_piece, radiance, opening, theta):
 
 
 def _panel_terms(corner_count, radiance, position, **panel):
+    """Its corners are rounded before their sum is taken: beside a long, thin panel that costs more than the sum."""
     count = np.asarray(corner_count)
     at = [twin("outline_at")(count, np.minimum(i, count - 1)) for i in range(5)]
     corners = [twin("panel_point")(**panel, s=s, t=t) - position for s, t in (np.moveaxis(p, -1, 0) for p in at)]
-    return radiance * _contour_terms(np.stack(np.broadcast_arrays(*corners), -2), count)
+    args = {"corners": np.stack(np.broadcast_arrays(*corners), -2), "corner_count": count}
+    return radiance * (_contour_terms(**args) + moved("projected_solid_angle_polygon", args))
 
 
 def _light_terms(light_shape, radiance, position, **panel):
@@ -152,6 +155,19 @@ def _light_terms(light_shape, radiance, position, **panel):
     sphere = _sphere_terms(0.5 * panel["panel_width"], np.hypot(aside, way[..., 2]), np.arctan2(aside, way[..., 2]))
     flat = _panel_terms(np.where(shape == 3, 5, 4), radiance, position, **panel)
     return np.choose(shape, [flat, np.zeros_like(flat), radiance * sphere, flat])
+
+
+def _point_error_terms(light_shape, light_height, panel_width, panel_tilt):
+    """A difference of two lights over the brightest place: as large as what is rounded in them."""
+    shape, height, width, tilt = (np.repeat(np.asarray(x)[..., None], len(_FLOOR), -1)
+                                  for x in (light_shape, light_height, panel_width, panel_tilt))
+    zero = np.zeros(width.shape)
+    light = {"light_shape": shape, "radiance": 1.0, "light_x": zero, "light_y": zero, "light_height": height,
+             "panel_width": width, "panel_depth": width, "panel_tilt": tilt, "position": _FLOOR}
+    value = twin("irradiance_light")(**light)
+    terms = value + moved("irradiance_light", light) + _light_terms(**light)
+    brightest = np.max(value, -1)
+    return 2 * np.max(terms, -1) / np.where(brightest > 0, brightest, 1)
 
 
 def _spherical_rectangle_terms(**args):
@@ -176,6 +192,31 @@ def _below_terms(given, amount, light_shape, light_height, panel_width, panel_de
     zero = np.zeros_like(light_height)
     return _light_terms(light_shape, radiance, np.zeros(3), light_x=zero, light_y=zero, light_height=light_height,
                         panel_width=panel_width, panel_depth=panel_depth, panel_tilt=panel_tilt)
+
+
+def _shifted_terms(function, position, **args):
+    """A sample's place on the panel is rounded: as far as the panel is wide, however near the point is."""
+    size, total = STEP * np.maximum(args["panel_width"], args["panel_depth"]), 0.0
+    for axis in np.eye(3):
+        near, far = (twin(function)(position=position + way * size[..., None] * axis, **args) for way in (-1, 1))
+        total = total + np.abs(far - near) / (2 * STEP)
+    return total
+
+
+def _albedo_terms(theta_v, m, f0):
+    """l.h is rounded, and with it 1 - l.h: 5 int (1 - l.h)^4, which Hölder's inequality bounds by the integrals with no
+    power and with the fifth."""
+    white, edge = (twin("albedo_cook_torrance")(theta_v, m, x) for x in (1.0, 0.0))
+    return f0 * white + (1 - f0) * (edge + 5 * white**0.2 * np.maximum(edge, 0) ** 0.8)
+
+
+def _index_terms(theta, material, channel):
+    """The index that a table has is rounded: what that moves, of an insulator near an index of 1."""
+    eta, c = twin("material_eta")(material), np.maximum(0.0, np.cos(theta))
+    near, far = (twin("f_dielectric")(c, eta * (1 + step)) for step in (-STEP, STEP))
+    return np.abs(far - near) / (2 * STEP)
+
+
 def _halfway_terms(n, l, v):
     """The lengths of l and v are rounded, then what is common to l and -v goes: n.l |v| + n.v |l| over |s|."""
     n, l, v = (np.asarray(x, float) for x in (n, l, v))
@@ -209,7 +250,7 @@ def _facet_terms(function, m, f0, **angles):
     l, v = direction(angles["theta_l"], angles["phi"]), direction(angles["theta_v"], 0.0)
     white = twin(function)(**angles, m=m, f0=1.0)
     rounded = moved(function, {**angles, "m": np.asarray(m), "f0": np.asarray(f0)})
-    return rounded + white * 5 * (1 - f0) * np.maximum(0, 1 - _l_dot_h(l, v)) ** 4
+    return rounded + white * 5 * (1 - f0) * np.maximum(STEP, 1 - _l_dot_h(l, v)) ** 4
 
 
 def _intercept_terms(facet, lean_v):
@@ -267,6 +308,10 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "irradiance_lamp": lambda radiant_flux, radius, distance, theta: (
         radiant_flux / (2 * np.pi * radius) ** 2 * _sphere_terms(radius, distance, theta)),
     "irradiance_light": _light_terms,
+    "irradiance_light_64": partial(_shifted_terms, "irradiance_light_64"),
+    "point_light_error": _point_error_terms,
+    "point_lights_error": lambda **lamp: np.max([
+        _point_error_terms(np.full(np.shape(lamp["panel_width"]), kind), **lamp) for kind in range(4)], 0),
     "irradiance_outline": _panel_terms,
     "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (
@@ -302,8 +347,10 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     **{name: partial(_facet_terms, name) for name in (
         "cook_torrance_at", "cook_torrance_printed_at", "cook_torrance_smith_at")},
     "albedo_ggx": lambda **args: 8 * twin("albedo_ggx")(**args),  # 18000 terms, each at its own angles
-    **{name: twin(name) for name in ("albedo_cook_torrance", "albedo_cook_torrance_printed")},  # 1440 angles' terms
-    "albedo_cook_torrance": twin("albedo_cook_torrance"),  # 1440 terms, each at its own angle
+    "albedo_cook_torrance": _albedo_terms,  # 1440 terms, each at its own angle
+    "albedo_cook_torrance_printed": lambda **args: 4 / np.pi * _albedo_terms(**args),
+    "irradiance_light_without_cosine": partial(_shifted_terms, "irradiance_light_without_cosine"),
+    "material_share": _index_terms,
     "f_conductor": _ones,  # r_s, r_p
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
@@ -316,21 +363,37 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
 }
 
 
-def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
-    """|got - value| in units of u (1 + cond + kappa) |value|, the value being the float64 twin's at the same inputs.
+def closed_form_terms(function: str, args: dict) -> np.ndarray | float:
+    """What the float64 twin's own form cancels by, where GLSL sums positive terms."""
+    if not function.startswith("albedo_cook_torrance"):
+        return 0.0
+    return twin(function)(**args | {"f0": 1.0}) / np.maximum(np.cos(args["theta_v"]), 1e-7)
+
+
+def cost(function: str, args: dict, is_vector: bool = False, cond=None) -> np.ndarray:
+    """(1 + cond + kappa) |value|: by how many u a value may be off, once each."""
+    size = norm(twin(function)(**args), is_vector)
+    found = size + (moved(function, args, is_vector) if cond is None else cond * size)
+    return found + TERMS[function](**args) if function in TERMS else found
+
+
+def off(value, got, cost: np.ndarray, precision: str = "float32", is_vector: bool = False) -> np.ndarray:
+    """|got - value| in units of u cost.
 
     A value too small for the type counts 0 when the other is as small, and infinite when it is not; where the value is
     too large for it, infinite of the same sign counts 0.
     """
-    value, got = np.asarray(twin(function)(**args), float), np.asarray(got, float)
-    size = norm(value, is_vector)
-    cost = size + (moved(function, args, is_vector) if cond is None else cond * size)
-    if function in TERMS:
-        cost = cost + TERMS[function](**args)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    size, smallest = norm(value, is_vector), SMALLEST[precision]
+    with np.errstate(all="ignore"):
         got = np.where((np.abs(value) > LARGEST[precision]) & np.isinf(got), np.sign(got) * np.abs(value), got)
-        off = norm(np.where(value == got, 0.0, got - value), is_vector)
-        found = np.where(cost < SMALLEST[precision], np.where(off <= 2 * SMALLEST[precision], 0.0, np.inf),
-                         np.where(off == 0, 0.0, off / (U[precision] * cost)))
-        found = np.where((size < SMALLEST[precision]) & (off < SMALLEST[precision]), 0.0, found)
+        apart = norm(np.where(value == got, 0.0, got - value), is_vector)
+        found = np.where(cost < smallest, np.where(apart <= 2 * smallest, 0.0, np.inf),
+                         np.where(apart == 0, 0.0, apart / (U[precision] * cost)))
+        found = np.where((size < smallest) & (apart < smallest), 0.0, found)
     return np.where(np.isnan(found), np.inf, found)
+
+
+def ratio(function: str, args: dict, got, precision: str = "float32", is_vector: bool = False, cond=None) -> np.ndarray:
+    """How far a value is from the float64 twin's at the same inputs, in units of u (1 + cond + kappa) |value|."""
+    value = np.asarray(twin(function)(**args), float)
+    return off(value, np.asarray(got, float), cost(function, args, is_vector, cond), precision, is_vector)

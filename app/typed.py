@@ -9,7 +9,6 @@ import re
 from app.catalog import ValueSpec
 from app.lesson import Number
 from app.problem import Usage, near
-from app.quantities import entered, shown
 
 SLACK = 5e-6  # relative: half a unit in the sixth digit
 ANGLE = re.compile(r"(.*?)\s*(deg|rad|°)?", re.S)
@@ -45,7 +44,7 @@ def one(text: str, spec: ValueSpec, where: str) -> float:
         raise
     if unit == "rad":
         return value
-    inside = entered(spec.name, value)
+    inside = spec.quantity.entered(value)
     assert not isinstance(inside, tuple)
     return inside
 
@@ -88,7 +87,7 @@ def span(spec: ValueSpec) -> str:
 
 
 def on_screen(spec: ValueSpec, value: Number) -> float:
-    on = shown(spec.name, value)
+    on = spec.quantity.shown(value)
     assert not isinstance(on, tuple)
     return on
 

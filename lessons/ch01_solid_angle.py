@@ -5,6 +5,7 @@ local shading is an integral over such patches of directions: get them right, an
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -415,6 +416,8 @@ near 1 the float32 numbers are 6e-8 apart. The remedy is algebra, not more digit
     honesty="Exact to rounding. The lens enlarges; its two areas are in the true proportion of the two float32 results.",
     values=(Value("half_angle", 35.0, low=1e-4, high=180.0, scale="log"),),
     minutes=6,
+    breaks=(Break("1 − cos θ at 0.01°", {"solid_angle_cone": "solid_angle_cone_naive"}, {"half_angle": 0.01},
+                  "In float32 the cosine of 0.01° is exactly 1: the cone has no solid angle, and no light comes through it. All of the answer was in what rounding took away. Never ask for a small number as the difference of two large ones: 4π sin²(θ/2) is the same, with all its digits."),),
 )
 
 DIFFERENTIAL = Step(
@@ -799,6 +802,8 @@ finely, is a thousand such triangles. 7 minutes.
     ),
     minutes=7,
     beyond=True,
+    breaks=(Break("A · (B × C) at 0.1 mm", {"solid_angle_outline": "solid_angle_outline_naive"}, {"size": 1e-4},
+                  "The printed product has terms of a cubic metre and a sum a hundred million times smaller; what float32 keeps is noise. Subtract first, while differences are exact, and multiply then: edges, not corners."),),
 )
 
 MESH = Step(

@@ -5,6 +5,7 @@ points, directions, lamps that prefer some directions, spotlights, and lights wi
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -16,6 +17,7 @@ from app.lesson import (
     Figure,
     Handle,
     Label,
+    LeaveOut,
     Ledger,
     LedgerRow,
     Mark,
@@ -462,7 +464,7 @@ vec4 probe(int i) {
         marks=(Mark("axis", colour="quiet", line="dashed"),),
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5), Label("1", 6), Label("10", 7)),
         handles=(Handle("the lamp", 0, ("light_height",)), Handle("the peak", 1, ("exponent",))),
-        camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
+        negative={"radiant_flux": (-50.0, -1e-9)}, camera=Camera(azimuth=-76, elevation=27, distance=10.2, target=(0.0, -0.2, 0.5)),
     ),
     plot=Figure(
         title="Photometric solid, 2 m for 1/sr",
@@ -827,9 +829,8 @@ vec4 probe(int i) {
         labels=(Label("0.1", 2), Label("1", 3), Label("10", 4), Label("100 W/m²", 5)),
         handles=(Handle("the hotspot", 0, ("hotspot",)), Handle("the falloff", 1, ("falloff",)),
                  Handle("a ray", 6, ("off_axis",))),
-        camera=Camera(azimuth=-74, elevation=32, distance=10.0, target=(0.0, -0.2, 0.3)),
-        legend=(("printed", "dots: negative light"),),
-        tables=(Table("table", ("downlight",)),),
+        negative={"edge": (2, 2)}, camera=Camera(azimuth=-74, elevation=32, distance=10.0, target=(0.0, -0.2, 0.3)),
+        legend=(("printed", "dots: negative light"),), tables=(Table("table", ("downlight",)),),
     ),
     plot=Curves(
         title="Across the beam",
@@ -1050,6 +1051,8 @@ directions. 4 minutes.
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
     minutes=4,
+    breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5},
+                  "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
 )
 
 AREA_SAMPLED = Step(
@@ -1305,6 +1308,11 @@ make of the same number. 5 minutes.
     values=(Value("light_shape", 2, choices=SHAPES), Value("light_height", 0.7, low=0.06, high=3.0),
             Value("panel_width", 0.8, low=0.1, high=1.2), Value("panel_tilt", 0.0, low=-88.0, high=88.0),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True)),
+    leave_outs=(
+        LeaveOut("64 samples of a lamp", 0.0, 1e-6, "One formula", within={"irradiance_light": "irradiance_light_64"}),
+        LeaveOut("the lamps' size", Term("point_lights_error"), 1e-2, "A point",
+                 without={"irradiance_light": "irradiance_light_point"}),
+    ),
     minutes=5,
 )
 

@@ -14,6 +14,7 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    LeaveOut,
     Ledger,
     LedgerRow,
     Lobes,
@@ -46,7 +47,7 @@ COMPARE = Step(
 A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
 [beside the camera](?theta_d=5) highlights of the same width and peak. Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
-**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
+**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes [the other way](code:brdf_matter): at the angle
 $\theta$ its highlight is
 
 $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
@@ -170,7 +171,10 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
             "F₀, the exponent 2/m² - 2. The rougher, the stronger the lamp: peaks stay alike. The room is a look, mirrored in 20 "
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
-    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
+    leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
+                         without={"f_material": "f_material_schlick"}),),
+    minutes=6,
 )
 
 CURVES = ("cut at 1", "Reinhard", "ACES fit")
@@ -481,7 +485,7 @@ enough**: the light must come *out* through the coat as well.
 
 $$f_d = \frac{\rho\,(1-\colour{f}{F}(n\cdot l))\,(1-\colour{f}{F}(n\cdot v))}{\pi\,(1-\colour{f}{F_\text{avg}})}$$
 
-It is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
+[It](code:body_coupled) is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
 [no coat](?f0=0), [diamond](?f0=0.17), [red paint's](?rho=0.6) share. In a **metal** all that enters is lost:
 [no body](?rho=0&f0=0.9).
 """,
@@ -593,8 +597,9 @@ $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)
 Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
 [n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
 
-$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
-only for $l\cdot h$. $D$ alone draws the highlight. Move the $\colour{l}{\text{light}}$ or the picked point: a
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$
+[asks only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or
+object to pick it, or move the $\colour{l}{\text{light}}$: a
 [low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
 drop a mesh of your own on the window.
 """,
@@ -604,19 +609,16 @@ drop a mesh of your own on the window.
 #include "optics/vgroove.glsl"
 #include "stage/corner_normal.glsl"
 #include "display/balls.glsl"
-#include "display/facing.glsl"
+#include "display/brush.glsl"
 #include "display/scale.glsl"
-uniform float theta_l, theta_v, phi, m, f0, rho;
+uniform float theta_l, theta_v, phi, turned, m, f0, rho;
 uniform int shows;
 
 const float SIZE = 0.92;
 
-vec3 picked() { return cos(theta_v) * eye() + sin(theta_v) * up(); }
+vec3 picked() { return picked_frame(theta_v, turned)[2]; }
 
-vec3 lamp() {
-    vec3 along = sin(theta_v) * eye() - cos(theta_v) * up();
-    return cos(theta_l) * picked() + sin(theta_l) * (cos(phi) * along - sin(phi) * aside());
-}
+vec3 lamp() { return picked_light(theta_l, theta_v, phi, turned); }
 
 vec3 ball() { return -0.86 * aside() - 0.58 * up(); }
 
@@ -644,10 +646,13 @@ vec3 factor(vec3 n, vec3 l, vec3 v) {
     return shows == 5 ? PI * body : 1.0 - exp(-(value + body) * n_dot_l * 4.5 - 0.06 * (0.2 + paint + f0));
 }
 
+vec3 shading_normal(Surface s) {
+    if (s.id == 0) return ball_normal((s.position - ball()) / SIZE, s.v);
+    return normalize(s.value.xyz) * (dot(s.value.xyz, s.normal) < 0.0 ? -1.0 : 1.0);
+}
+
 vec3 shade(Surface s) {
-    vec3 v = eye(), l = s.id == 0 ? s.value.xyz : lamp(), n;
-    if (s.id == 0) n = ball_normal((s.position - ball()) / SIZE, s.v);
-    else n = normalize(s.value.xyz) * (dot(s.value.xyz, s.normal) < 0.0 ? -1.0 : 1.0);
+    vec3 v = eye(), l = s.id == 0 ? s.value.xyz : lamp(), n = shading_normal(s);
     vec3 colour = factor(n, l, v);
     float off = distance(n, picked()), ring = s.id == 1 ? abs(off - 0.13) : 1.0;
     return mix(palette[COLOUR_N], colour, smoothstep(0.022, 0.035, ring));
@@ -670,10 +675,11 @@ vec4 probe(int i) {
         marks=(Mark("normal", colour="n", tip="arrow", label="n"), Mark("to the light", colour="l", tip="sun", label="l"),
                Mark("to the eye", colour="v", tip="eye", label="v"),
                Mark("halfway", colour="h", line="dashed", tip="arrow", label="h")),
-        handles=(Handle("the picked point", 0, ("theta_v",)), Handle("the light", 1, ("theta_l", "phi"))),
+        handles=(Handle("the picked point", 0, ("theta_v", "turned")), Handle("the light", 1, ("theta_l", "phi"))),
         legend=(("n", "the same normal"),),
         camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3),
         meshes=("knot", "bowl", "sphere", "cube"),
+        brush=True,
     ),
     plot=(
         Ledger("Factor by factor, at the point", ((
@@ -705,13 +711,13 @@ facets crowd into less projected area. Then change the shape: the rings wander, 
 """,
     sources=("Deck, slides Distribution Term (1), Fresnel Term (1), Geometric Term (1)", "Cook & Torrance 1982",
              "Shirley et al. 1997; Kelemen & Szirmay-Kalos 2001: the body", "Schlick 1994"),
-    honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far, and the light goes "
-            "with the point. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
+    honesty="1/4 stands for the printed 1/π. Numbers are for red light; light and eye are infinitely far; a click leaves the "
+            "light where it is, a dragged point takes it along. The object throws no shadow on itself, has a trace of even light, and F is drawn as its root.",
     values=(Value("shows", 0, choices=("shaded", "D", "G", "F", "quotient", "body", "n", "h")),
             Value("shape", 0, choices=("knot", "bowl", "sphere", "cube"), more=True),
             Value("m", 0.25, low=0.05, high=1.0), Value("f0", 0.04, low=0.02, high=0.95),
             Value("theta_v", 38.0, low=0.0, high=85.0, more=True), Value("theta_l", 38.0, low=0.0, high=85.0, more=True),
-            Value("phi", 132.0, more=True), Value("rho", 0.6, more=True)),
+            Value("phi", -132.0, more=True), Value("turned", 0.0, more=True), Value("rho", 0.6, more=True)),
     minutes=8,
 )
 

@@ -73,7 +73,7 @@ def test_version_and_help(capsys):
 
 
 @pytest.mark.parametrize(("arguments", "sentence"), [
-    (["lst"], "there is no command lst. Did you mean list?"),
+    (["lst"], "there is no command lst. Did you mean list"),
     (["rendr", "a/b"], "there is no command rendr. Did you mean render?"),
     (["solid_angle/patch"], "there is no command solid_angle/patch. Did you mean halfway show solid_angle/patch?"),
     (["list", "--jsn"], "halfway list takes no --jsn. Did you mean --json?"),
@@ -81,7 +81,7 @@ def test_version_and_help(capsys):
     (["--them", "dark"], "halfway takes no --them. Did you mean --theme"),
     (["--theme"], "argument --theme: expected one argument. See halfway --help."),
     (["--theme", "drak"], "there is no theme drak. Did you mean dark?"),
-    (["inspect"], "the following arguments are required: STEP. See halfway inspect --help."),
+    (["inspect"], "halfway inspect wants a step, or --all for all of them."),
     (["inspect", "solid_angle/pach"], "there is no step solid_angle/pach. Did you mean solid_angle/patch"),
     (["show", "solid_angle/patch?tilt=91"], "tilt=91: solid_angle/patch takes tilt from -90 to 90°."),
     (["render", "solid_angle/patch"], "the following arguments are required: -o/--output."),

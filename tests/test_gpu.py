@@ -10,8 +10,8 @@ import pytest
 from app import optics
 from app.gpu.evaluate import MAX_CORNERS, evaluate
 from app.problem import Problem, Usage
+from app.stress.domain import cube
 from tests.stage_help import is_alive, watch
-from tests.test_twins import cube
 
 TEXT = """
 float twice(float x) { return 2.0 * x; }

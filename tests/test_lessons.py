@@ -1,6 +1,5 @@
 """Every chapter, by being there: it loads, its scenes run, its steps are whole, its predictions have an answer."""
 
-import itertools
 import math
 
 import numpy as np
@@ -14,6 +13,7 @@ from app.maps import NONE
 from app.prediction import truth
 from app.readouts import numbers
 from app.state import defaults, parse_query
+from app.stress.scenes import corners, played
 from app.terms import evaluate
 from app.theme import THEMES
 from app.validation import validate
@@ -90,65 +90,22 @@ def test_an_error_is_against_an_exact_number(found):
 
 @every_step
 def test_every_number_of_a_step_is_a_number(found, ctx):
-    for values in states(found, 6):
+    for values in corners(found, 6):
         for number in numbers(found.step, {**values, **data(found, values)}, ctx):
             no_number = found.id in NO_NUMBER and NO_NUMBER[found.id](values)
             assert (math.isfinite(number.value) or no_number) and number.text, f"{number.label} at {values}"
-
-
-def states(found, mixed: int):
-    """The defaults, every value at each end of its slider alone, and some mixed corners, the same every time."""
-    first = defaults(found)
-    yield first
-    ends = {name: (low_high(found, name, "low"), low_high(found, name, "high")) for name in first}
-    for name, both in ends.items():
-        for end in both:
-            yield first | {name: end}
-    corners = list(itertools.islice(itertools.product((0, 1), repeat=len(ends)), 4096))
-    for pick in np.random.default_rng(sum(map(ord, found.id))).permutation(len(corners))[:mixed]:
-        yield {name: ends[name][side] for name, side in zip(ends, corners[pick], strict=True)}
-
-
-def low_high(found, name: str, end: str):
-    spec = found.values[name]
-    number = getattr(spec, end)
-    number = int(number) if spec.quantity.kind == "int" else float(number)
-    return (number,) * spec.quantity.width if spec.quantity.width > 1 else number
 
 
 NO_NUMBER = {  # a formula without a value is shown on purpose, and said in words
     "brdfs/properties": lambda values: values["flaw"] == 5 and 0 in (values["theta_l"], values["theta_v"]),
     "lights/area_units": lambda values: 0 in (values["panel_width"], values["panel_depth"]),
 }
-MEANT = {  # negative light is shown on purpose, drawn as such and counted
-    "lights/distribution": lambda values: values["radiant_flux"] < 0,
-    "lights/spot": lambda values: values["edge"] == 2,
-}
 
 
 @every_step
 def test_no_corner_of_the_sliders_has_a_fault(found, ctx):
     """NaN, Inf and negative radiance are shown in class, so a lesson may have none where it does not mean to."""
-    stage, mesh = None, None
-    try:
-        for values in states(found, 12):
-            more = data(found, values)
-            if stage is None:
-                stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), more.get("triangles"))
-            elif more.get("triangles") is not mesh:
-                stage.place(more.get("triangles"))
-            mesh = more.get("triangles")
-            whole = values | more
-            stage.draw(whole, found.step.scene.camera, SIZE, THEMES["dark"], fine=False)
-            meant = found.id in MEANT and MEANT[found.id](values)
-            faults = stage.faults()
-            assert not faults.nan and not faults.inf, f"{faults} at {values}"
-            assert meant or not faults.negative, f"{faults} at {values}"
-            assert np.all(np.isfinite(stage.probes(whole)))
-            assert all(np.all(np.isfinite(point)) for point in stage.anchors(whole).values())
-    finally:
-        if stage:
-            stage.release()
+    assert played(found, ctx=ctx).faults == ()
 
 
 @every_step

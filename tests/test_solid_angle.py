@@ -9,7 +9,7 @@ from app.optics import solid_angle as solid
 from app.optics import solid_angle_flat as flat
 from app.optics import spherical, square_patch
 from app.shader import read
-from tests.test_twins import cube
+from app.stress.domain import cube
 
 RNG = np.random.default_rng(7)
 

@@ -10,9 +10,9 @@ from app.gpu.stage_text import Source
 from app.lesson import Camera, Dots, Label, Mark, Surface
 from app.meshes import built_in
 from app.problem import Problem
+from app.stress.domain import cube
 from lessons.ch01_solid_angle import PATCH
 from tests.stage_help import ABOVE, BACKGROUND, DARK, SQUARE, build, drawn, is_alive, on_screen, picture, rays, watch
-from tests.test_twins import cube
 
 TWO_SPHERES = """
 #include "optics/spherical.glsl"

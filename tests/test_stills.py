@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app import VERSION
+from app import VERSION, console, files
 from app.catalog import LoadedStep, chapters, step, steps
 from app.export import corners, gallery, ink, labels, target
 from app.export.png import png
@@ -210,7 +210,7 @@ def test_a_place_that_takes_no_file(tmp_path, monkeypatch):
     def full(*args, **kwargs):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(target.os, "replace", full)
+    monkeypatch.setattr(files.os, "replace", full)
     with pytest.raises(Problem, match=r"x\.png cannot be written: no space"):
         target.write(tmp_path / "x.png", b"whole")
     assert not list(tmp_path.iterdir())
@@ -369,7 +369,7 @@ def test_the_bar_counts_the_steps_on_a_terminal(monkeypatch):
 
     out = Terminal()
     monkeypatch.setattr(sys, "stderr", out)
-    with gallery.progress(2) as advance:
+    with console.progress(2) as advance:
         for title in ("one", "two", ""):
             advance(title)
     assert "2/2" in out.getvalue()

@@ -376,3 +376,38 @@ def test_a_step_s_plots_have_tabs_and_a_key(tmp_path):
         until(engine, window, lambda: window.plot.showing.title == "Two lobes")
 
     drive(test, start="small/open", folder=model_lesson(tmp_path))
+
+
+def test_a_step_is_broken_by_its_button_and_mended_by_a_key():
+    def test(engine, window):
+        frames(engine, 4)
+        sound = on_gl(engine, window, window.scene.stage.pixels).astype(int)
+        engine.item_click("//Text/Break it: Snell's root in total reflection")
+        frames(engine, 4)
+        assert window.session.broken and window.scene.faults.nan > 0
+        bad = on_gl(engine, window, window.scene.stage.pixels).astype(int)
+        assert np.abs(bad - sound).max() > 100
+        engine.key_press(imgui.Key.b)
+        frames(engine, 4)
+        assert window.session.broken is None and not window.scene.faults
+        assert np.array_equal(on_gl(engine, window, window.scene.stage.pixels), sound)
+
+    drive(test, start="fresnel/inside")
+
+
+def test_a_click_on_a_point_of_a_study_sets_the_scene():
+    def test(engine, window):
+        window.session.reveal()
+        window.session.show_plot(1)
+        until(engine, window, lambda: bool(window.plot.spots))
+        until(engine, window, lambda: window.plot.fine and window.plot.process.idle)  # the last picture has come
+        frames(engine)
+        now = window.session.values["sampling"]
+        spot = next(spot for spot in window.plot.spots if spot.sets and spot.sets["sampling"] != now)
+        wanted = spot.sets
+        place = on_gl(engine, window, lambda: window.plot.at)
+        engine.mouse_move_to_pos(ImVec2(place.x + spot.x, place.y + spot.y))
+        engine.mouse_click(0)
+        until(engine, window, lambda: {name: window.session.values[name] for name in wanted} == wanted)
+
+    drive(test, start="lights/area_work")

@@ -17,7 +17,7 @@ import math
 import re
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import Literal, NoReturn
 
 from app import shader
 from app.problem import Problem
@@ -36,7 +36,10 @@ class Parameter:
     low: float
     high: float
     default: Default
-    line: int
+    line: int  # of the file; 0: of no file
+    scale: Literal["linear", "log"] = "linear"
+    unit: str = ""
+    whole: bool = False
 
     @property
     def glsl(self) -> str:

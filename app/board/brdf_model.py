@@ -8,13 +8,11 @@ import re
 import numpy as np
 
 from app import shader
-from app.badges import Badge, samples
+from app.badges import SAME_FLOAT32, Badge, samples
 from app.board.brdf_file import BrdfFile, Default
 from app.board.verdict import worst_of
 from app.hemisphere import NORMAL, frame
 from app.problem import Problem
-
-ROUNDING = 1e-4  # two ways around a float32 formula may differ by this much; a different formula differs by more
 
 
 def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
@@ -34,14 +32,13 @@ def uniforms(file: BrdfFile, prefix: str) -> str:
 
 
 class BrdfModel:
-    def __init__(self, file: BrdfFile, number: int = 0):
-        self.file, self.prefix = file, f"model{number}_"
+    def __init__(self, file: BrdfFile, prefix: str = "model0_", overrides: dict[str, shader.Source] | None = None):
+        self.file, self.prefix = file, prefix
         self.name, self.parameters, self.warnings = file.name, file.parameters, file.warnings
-        source = prefixed(file, self.prefix)
         call = (f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) "
                 f"{{ return {self.prefix}BRDF(l, v, n, x, y); }}")
         self.text = "\n".join([uniforms(file, self.prefix), '#include "model"', call])
-        self.overrides = {"model": source}
+        self.overrides = overrides or {"model": prefixed(file, self.prefix)}
 
     def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
         """float32 values (..., 3) in 1/sr at unit vectors (..., 3); X and Y are across n."""
@@ -61,7 +58,7 @@ class BrdfModel:
         def reflect(n, l, v, channel):
             return np.where(above(l, v), self.rgb(n, l, v, values), 0)[..., channel]
 
-        return worst_of(reflect, 1 if self.is_grey(values) else 3, ROUNDING)
+        return worst_of(reflect, 1 if self.is_grey(values) else 3, SAME_FLOAT32)
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:
         """Whether its channels are the same, at the directions that badges look at."""

@@ -28,6 +28,7 @@ SCALES = 1 / 1500, 1.15 / 1500, 1.66 / 1500
 HEAD, CELLS = 12, 90 * 90 * 180  # bytes, numbers of a channel
 SIZE = HEAD + 3 * 8 * CELLS
 QUARTER = 0.5 * np.pi
+TABLE_COLUMNS = 2160  # of all numbers as a texture
 
 
 def is_one(path: str | Path) -> bool:
@@ -129,6 +130,11 @@ class Merl:
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:
         return False
+
+    @cached_property
+    def table(self) -> np.ndarray:
+        """All numbers in their order, float32 in rows of 2160: what glsl/display/merl.glsl reads."""
+        return np.asarray(self.cells, "f4").reshape(-1, TABLE_COLUMNS)
 
     @cached_property
     def missing(self) -> float:

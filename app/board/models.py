@@ -5,15 +5,18 @@ from typing import Protocol
 
 import numpy as np
 
+from app import own_models
 from app.badges import Badge
 from app.board import course_model, merl
 from app.board.brdf_file import Default, Parameter, read
 from app.board.brdf_model import BrdfModel
 from app.board.coated import Coated
 from app.board.course_model import CourseModel
+from app.board.fit import fit
 from app.problem import Problem, Usage, near
 
 FILES = ".brdf", ".binary"
+FIT = "fit:"
 
 
 class BoardModel(Protocol):
@@ -35,14 +38,22 @@ class BoardModel(Protocol):
 
 
 def opened(word: str) -> BoardModel:
-    """The model of a file, or the course's of that name."""
+    """The model of a file, the course's of that name, or fit:FILE, the one of the course nearest to a measurement."""
+    if word.startswith(FIT):
+        measured = merl.read(word.removeprefix(FIT))
+        return Coated(f"fit of {measured.name}", fit(measured))
     if word.endswith(FILES) or Path(word).is_file():
         return merl.read(word) if merl.is_one(word) else BrdfModel(read(word))
     if word == Coated.name:
         return Coated()
+    if own := own_models.path_of(word):
+        if own.suffix != own_models.BRDF:
+            raise Usage(f"{own} is a text for the editor, and no part of a reflectance that the board could show.")
+        return BrdfModel(read(own))
     name = word.removeprefix(course_model.PREFIX)
     if name not in course_model.names():
-        raise Usage(f"there is no model {word}, and no such file.{near(name, [*course_model.names(), Coated.name])}")
+        known = [*course_model.names(), Coated.name, *(one.name for one in own_models.saved())]
+        raise Usage(f"there is no model {word}, and no such file.{near(name, known)}")
     return CourseModel(name)
 
 

@@ -1,6 +1,8 @@
 """A model of the board as a function that the term of a plot can name, also in the plots' own process.
 
     board:WORD     f(n, l, v, channel, values) in 1/sr
+    half:WORD      f(theta_h, theta_d, phi_d, channel, values), the same in the angles of the halfway vector, 0 below
+                   the horizon
     albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1.5e-4 (app/furnace.py),
                    nearer to the horizon than two degrees to 8e-4
 
@@ -15,12 +17,18 @@ from pathlib import Path
 
 import numpy as np
 
+from app.badges import Badge
 from app.board.brdf_file import Default, Parameter
+from app.board.edited import edited
+from app.board.merl import directions
 from app.board.models import opened
 from app.furnace import albedo
+from app.hemisphere import NORMAL
 from app.problem import Usage
+from app.shader import Overrides
 
-LUMINANCE = -1
+LUMINANCE = 3
+KINDS = "board", "half", "albedo"
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])  # of linear sRGB (IEC 61966-2-1)
 ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-5]) ** 2.75), 89.9))  # denser to the horizon
 
@@ -38,22 +46,23 @@ def unpacked(parameters: tuple[Parameter, ...], numbers: tuple[float, ...]) -> d
     return found
 
 
-def function(name: str) -> Callable:
-    """What a name with a colon means."""
+def function(name: str, edits: Overrides = ()) -> Callable:
+    """What a name with a colon means, with the user's texts in it."""
     kind, _, word = name.partition(":")
-    if kind not in ("board", "albedo"):
-        raise Usage(f"there is no function {name}; with a colon there are board:MODEL and albedo:MODEL.")
+    if kind not in KINDS:
+        known = ", ".join(f"{one}:MODEL" for one in KINDS)
+        raise Usage(f"there is no function {name}; with a colon there are {known}.")
     try:
         about = Path(word).stat()
         stamp: tuple = about.st_mtime_ns, about.st_size
     except OSError:
         stamp = ()
-    return made(kind, word, stamp)
+    return made(kind, word, stamp, edits)
 
 
 @lru_cache(16)
-def made(kind: str, word: str, stamp: tuple) -> Callable:
-    model = opened(word)
+def made(kind: str, word: str, stamp: tuple, edits: Overrides) -> Callable:
+    model = edited(opened(word), edits) or opened(word)
 
     def value(n, l, v, channel, values):
         return channel_of(model.rgb(n, l, v, unpacked(model.parameters, values)), channel)
@@ -65,7 +74,19 @@ def made(kind: str, word: str, stamp: tuple) -> Callable:
     def share(theta_v, channel, values):
         return between(theta_v, at_angles(channel, values))
 
-    return value if kind == "board" else share
+    def half(theta_h, theta_d, phi_d, channel, values):
+        l, v = directions(theta_h, theta_d, phi_d)
+        return np.where((l[..., 2] > 0) & (v[..., 2] > 0), value(NORMAL, l, v, channel, values), 0.0)
+
+    meant: dict[str, Callable] = {"board": value, "half": half, "albedo": share}
+    return meant[kind]
+
+
+def badges(name: str, values: tuple[float, ...], edits: Overrides = ()) -> dict[str, Badge]:
+    """Of the model that a name with a colon means."""
+    word = name.partition(":")[2]
+    model = edited(opened(word), edits) or opened(word)
+    return model.badges(unpacked(model.parameters, values))
 
 
 def between(theta_v, y: np.ndarray) -> np.ndarray:

@@ -110,7 +110,7 @@ def drawn(what: Scene, triangles: np.ndarray, light: np.ndarray, view: Camera, s
     """Radiance, 0 where there is no mesh, and its points (height, width, 3), NaN there."""
     stage = Stage(context(), Source(what, "app/compare/pictures.py"), triangles)
     try:
-        found, point = raw(stage, {"to_light": tuple(light)}, view, THEMES["dark"], size)
+        found, point, _ = raw(stage, {"to_light": tuple(light)}, view, THEMES["dark"], size)
     finally:
         stage.release()
     on = found[..., 3:] > 0.5

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from PIL import Image
 from app import VERSION, prediction
 from app.badges import of_model
 from app.catalog import Loaded, LoadedStep, chapters
+from app.console import progress
 from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
@@ -26,7 +27,6 @@ FOLDER, VARIABLE = "halfway-lessons", "HALFWAY_LESSONS"
 PICTURES = "pictures"
 SCENE, PLOT, SMALL = (1260, 840), (840, 840), (420, 280)
 LARGER = 1.5  # words on a scene: on the page it is shown at half its size
-Advance = Callable[[str], None]
 
 
 def run(options) -> int:
@@ -136,24 +136,3 @@ def said(shown: Shown) -> Iterator[None]:
 def note(shown: Shown, sentence: str) -> None:
     if sentence not in shown.fault:
         shown.fault = f"{shown.fault} {sentence}".strip()
-
-
-@contextmanager
-def progress(total: int) -> Iterator[Advance]:
-    """A bar on a terminal, nothing elsewhere. Called with a step's title before it is done, with nothing at the end."""
-    if not sys.stderr.isatty():
-        yield lambda title: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=total)
-        begun = [False]
-
-        def advance(title: str) -> None:
-            bar.update(task, description=title, advance=int(begun[0]))
-            begun[0] = True
-
-        yield advance

@@ -4,6 +4,7 @@ import base64
 import re
 from collections.abc import Callable
 from html import escape
+from typing import Protocol
 
 from markdown_it import MarkdownIt
 from mdit_py_plugins.dollarmath import dollarmath_plugin
@@ -16,6 +17,10 @@ from app.theme import THEMES
 Key = tuple[str, bool]  # a formula and whether it stands on a line of its own
 LARGER = 1.13  # than the text: Latin Modern's small letters are lower
 SCHEMES = {"dark": THEMES["dark"], "light": THEMES["light"]}
+
+
+class Typesetter(Protocol):
+    def html(self, latex: str, display: bool) -> str: ...
 
 
 class Formulas:
@@ -45,7 +50,7 @@ def uri(png: bytes) -> str:
     return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
-def html(text: str, formulas: Formulas, link: Callable[[str], str] = lambda target: "") -> str:
+def html(text: str, formulas: Typesetter, link: Callable[[str], str] = lambda target: "") -> str:
     """Markdown as HTML; `link` gives the place a state leads to. Other links are words: nothing is fetched."""
     reader = MarkdownIt("commonmark", {"html": False}).disable("image")
     dollarmath_plugin(reader, double_inline=True, allow_labels=False,

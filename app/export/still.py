@@ -11,6 +11,7 @@ from PIL import Image
 
 from app import VERSION
 from app.badges import of_model
+from app.breaking import broken, values_of
 from app.catalog import LoadedStep, step
 from app.export import target
 from app.export.corners import entries, legend, notice
@@ -21,6 +22,7 @@ from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.leaving import decisions, lean
 from app.lesson import Camera
 from app.problem import Usage, near
 from app.readouts import numbers
@@ -41,6 +43,8 @@ def run(options) -> int:
     state = parse(options.step)
     found = step(state.step)
     values = dict(state.values)
+    if getattr(options, "broken", None):
+        found, values = break_it(found, values, options.broken)
     for text in options.set or ():
         values |= parse_set(text, found)
     values |= data(found, values, options.mesh, getattr(options, "ies", None), getattr(options, "map", None))
@@ -48,6 +52,16 @@ def run(options) -> int:
     picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
+
+
+def break_it(found: LoadedStep, values: dict, text: str) -> tuple[LoadedStep, dict]:
+    """The step with naive forms, and the values at which they fail: its break number `text`, from 1."""
+    labels = [one.label for one in found.step.breaks]
+    if not text.isdecimal() or not 1 <= int(text) <= len(labels):
+        known = ", ".join(f"{i} ({name})" for i, name in enumerate(labels, 1))
+        raise Usage(f"--broken {text}: {found.id} has {known or 'nothing to break'}.")
+    one = found.step.breaks[int(text) - 1]
+    return broken(found, int(text) - 1), values | values_of(found, one)
 
 
 def known(option: str, name: str, names: tuple[str, ...]) -> str:
@@ -69,7 +83,7 @@ def plot_number(found: LoadedStep, text: str) -> int:
 def data(found: LoadedStep, values: dict, mesh: str | Path | None = None, ies: str | Path | None = None,
          maps: list[str] | None = None) -> dict:
     """What a step needs besides its sliders: the triangles of its mesh and its tables, its own or the user's."""
-    return triangles(found, values, mesh) | constant(found, values, ies, maps)
+    return triangles(found, values, mesh) | constant(found, values, ies, maps) | found.derived(values)
 
 
 def constant(found: LoadedStep, values: dict, ies: str | Path | None = None, maps: list[str] | None = None) -> dict:
@@ -136,6 +150,7 @@ def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple
 def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, int], theme: Theme,
          ink: Ink | None = None, small: bool = False) -> Image.Image:
     """The scene with its labels, its legend and a notice of its faults; a small one has no words but the notice."""
+    found = lean(found, decisions(found, values))
     scene, ink = found.step.scene, ink or Ink(theme, size)
     stage = Stage(context(), Source(scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:

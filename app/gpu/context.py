@@ -1,4 +1,4 @@
-"""Our own OpenGL context without a window: one per process, on an EGL display that nobody else closes.
+"""Our own OpenGL context without a window: one per thread, on an EGL display that nobody else closes.
 
 VTK terminates the display of the first EGL device, pyrender the default one, which moderngl's own backend shares; the
 surfaceless one is taken (else the first device's, else moderngl's own). `with context():` makes it current again after
@@ -10,8 +10,8 @@ import ctypes
 import os
 import re
 import sys
+import threading
 from functools import cache
-from typing import Any
 
 import moderngl
 
@@ -74,6 +74,9 @@ class EglContext:
 
     load = load_opengl_function
 
+    def let_go(self) -> None:
+        self.egl.eglMakeCurrent(self.display, None, None, None)
+
     def __enter__(self) -> None:
         egl = self.egl
         now = (egl.eglGetCurrentDisplay(), egl.eglGetCurrentSurface(DRAW), egl.eglGetCurrentSurface(READ),
@@ -90,16 +93,44 @@ class EglContext:
         self.egl.eglDestroyContext(self.display, self.context)
 
 
-@cache
 def context() -> moderngl.Context:
-    """The process's own context for rendering without a window."""
+    """The thread's own context for rendering: a context is current in one thread at a time. A window's is adopted."""
+    thread = threading.get_ident()
+    return adopted[thread] if thread in adopted else of_thread(thread)
+
+
+adopted: dict[int, moderngl.Context] = {}  # by thread
+
+
+def adopt(ctx: moderngl.Context | None) -> None:
+    """From now on this thread renders with a window's context; None: with its own again."""
+    if ctx is None:
+        adopted.pop(threading.get_ident(), None)
+    else:
+        adopted[threading.get_ident()] = ctx
+
+
+def step_aside() -> None:
+    """Leave nothing of ours current in this thread: a window is about to make a context of its own (GLX refuses one
+    where EGL has another)."""
+    if made := standing.pop(threading.get_ident(), None):
+        made.let_go()
+
+
+standing: dict[int, EglContext] = {}  # the last one made in a thread
+
+
+@cache
+def of_thread(thread: int) -> moderngl.Context:
     tried = []
     if sys.platform.startswith("linux"):
         os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # Mesa's own words say less than the sentence below
         for platform in (SURFACELESS, DEVICE, None):  # None: EGL's default display
             try:
-                given: Any = {"context": EglContext(platform)} if platform else {"standalone": True, "backend": "egl"}
-                return moderngl.create_context(require=330, **given)
+                if not platform:
+                    return moderngl.create_context(require=330, standalone=True, backend="egl")  # type: ignore[arg-type]
+                standing[thread] = EglContext(platform)
+                return moderngl.create_context(require=330, context=standing[thread])  # type: ignore[arg-type]
             except Exception as error:  # whatever a driver raises, the next way may work
                 tried.append(str(error))
     try:
@@ -125,10 +156,14 @@ def pixel(ctx: moderngl.Context) -> moderngl.Framebuffer:
 
 
 def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.Assembled | None = None,
-            varyings: tuple[str, ...] = ()) -> moderngl.Program:
-    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context."""
+            varyings: tuple[str, ...] = (), passing: dict | None = None) -> moderngl.Program:
+    """A program from assembled texts; kept by its text, so that the same text is compiled once in a context.
+
+    Of a text that is being edited, the new ones are kept in `passing`, whose owner releases them."""
     programs = kept(ctx)
     key = vertex.text, fragment.text if fragment else "", varyings
+    if key not in programs and passing is not None:
+        programs = passing
     if key not in programs:
         try:
             programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,

@@ -6,11 +6,12 @@ import moderngl
 import numpy as np
 
 from app import shader
-from app.gpu.context import context, pixel, program
+from app.gpu.context import context, kept, pixel, program
 from app.problem import Problem, Usage, near
+from app.shader import WIDTH
 
-WIDTH = {"float": 1, "int": 1, "vec2": 2, "vec3": 3, "vec4": 4}
 MAX_CORNERS = 8  # as in glsl/core/constants.glsl
+PASSING = 32  # programs of texts that are being edited
 TEXTURE_TRIANGLES = 256  # triangles in a row of a mesh texture
 
 
@@ -36,8 +37,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
     ctx = ctx or context()
     with ctx:
-        assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
-        feedback = program(ctx, assembled, varyings=("value",))
+        feedback = linked(ctx, source, function, overrides)
         for name in (uniforms or {}).keys() & set(feedback):
             cast(moderngl.Uniform, feedback[name]).value = (uniforms or {})[name]
         if count == 0:
@@ -82,6 +82,26 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
         raise Usage(f"{function}: {arg.name} is a {arg.type}, its last axis has {tail[0]} numbers; "
                     f"it has shape {data.shape}.")
     return data
+
+
+def compiled(function: str, overrides: shader.Overrides, ctx: moderngl.Context) -> None:
+    """A Problem where a twin made of these texts does not compile."""
+    include, signature = find(function, None)
+    with ctx:
+        linked(ctx, point_program(signature, include, None)[0], function, dict(overrides))
+
+
+def linked(ctx: moderngl.Context, source: str, function: str, overrides: dict[str, shader.Source] | None):
+    assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
+    return program(ctx, assembled, varyings=("value",), passing=passing(ctx) if overrides else None)
+
+
+def passing(ctx: moderngl.Context) -> dict:
+    """The programs of the texts that were edited last."""
+    programs = kept(ctx).setdefault("passing", {})
+    while len(programs) > PASSING:
+        programs.pop(next(iter(programs))).release()
+    return programs
 
 
 def find(function: str, text: str | None) -> tuple[str, shader.Signature]:

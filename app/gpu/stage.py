@@ -1,29 +1,25 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
-from functools import cache
 from typing import Any, cast
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.colormaps import STOPS
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIPS, Source, grid, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
-from app.optics.colour import srgb_to_linear
 from app.problem import Problem
-from app.shader import Assembled
-from app.theme import Theme, colour, rgb
+from app.shader import Assembled, Overrides
+from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 
 
 @dataclass(frozen=True)
@@ -55,14 +51,6 @@ def on_gpu(values: dict) -> dict:
     return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
 
 
-@cache
-def look(theme: Theme) -> dict:
-    """What a theme gives to a scene."""
-    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
-            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
-            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
-
-
 class Stage:
     def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
         self.ctx, self.source, self.scene = ctx, source, source.scene
@@ -73,18 +61,48 @@ class Stage:
         self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
         self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
+        self.passing: dict = {}  # programs of texts that are being edited
         with ctx:
             self.compile(None)
             self.place(triangles)
 
+    def rewrite(self, overrides: Overrides) -> None:
+        """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
+
+        All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
+        if overrides == self.source.overrides:
+            return
+        before, self.source = self.source, replace(self.source, overrides=overrides)
+        try:
+            with self.ctx:
+                made = self.compiled(None)
+        except Problem:
+            self.source = before
+            raise
+        with self.ctx:
+            for array in self.arrays.values():
+                array.release()
+            self.arrays, self.programs = {}, made
+            for key in [key for key, use in self.passing.items() if use not in made.values()]:
+                self.passing.pop(key).release()
+
     def compile(self, names: tuple[str, ...] | None) -> None:
-        texts = programs(self.scene, self.source.file, self.source.first, names=names)
-        for name, (vertex, fragment) in texts.items():
-            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY:
+        self.programs |= self.compiled(names)
+
+    def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
+        found: dict[str, moderngl.Program] = {}
+        passing = self.passing if self.source.overrides else None
+        for name, (vertex, fragment) in self.texts(names).items():
+            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY and passing is None:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
-                    self.programs[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment))
+                    found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
             else:
-                self.programs[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",))
+                found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
+        return found
+
+    def texts(self, names: tuple[str, ...] | None) -> Programs:
+        source = self.source
+        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -100,6 +118,10 @@ class Stage:
                     self.hold("texture_coordinates", WITHOUT)
                 if any("normals" in use for use in self.programs.values()):
                     self.hold("normals", corner_normals(triangles))
+        for uniform, path in self.scene.measured:
+            from app.board import merl
+
+            self.hold(uniform, merl.read(path).table)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
 
@@ -308,6 +330,8 @@ class Stage:
         with self.ctx:
             self.release_geometry()
             self.release_targets()
+            for use in self.passing.values():
+                use.release()
 
 
 def program_of(surface: Surface) -> str:

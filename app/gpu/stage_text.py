@@ -2,16 +2,21 @@
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from typing import get_args
 
 import numpy as np
 
 from app import shader
+from app.colormaps import STOPS
 from app.lesson import Colour, Scene
+from app.optics.colour import srgb_to_linear
+from app.theme import Theme, colour, rgb
 
 COLOURS: tuple[str, ...] = get_args(Colour)  # in the order of glsl/display/palette.glsl
 LINES = ("solid", "dashed", "dotted", "dashdot")
 TIPS = ("none", "arrow", "sun", "eye", "dot")
+TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
 PARTS = {  # program -> (its vertex text, its fragment text) around the scene's own text
     "surface": (("", "stage/surface.vert"), ("stage/surface.glsl", "stage/shade.frag")),
     "mesh": (("", "stage/mesh.vert"), ("stage/surface.glsl", "stage/shade.frag")),
@@ -22,7 +27,11 @@ PARTS = {  # program -> (its vertex text, its fragment text) around the scene's 
     "probe": (("", "stage/probe.vert"), None),
     "anchor": (("", "stage/anchor.vert"), None),
 }
-VALUES = {"stage/surface.vert": "surface_value", "stage/mesh.vert": "mesh_value"}  # a scene may define these
+OPTIONAL = {  # what a scene may define: text -> (the function, what stands in for it)
+    "stage/surface.vert": ("vec4 surface_value", "stage/no_value.glsl"),
+    "stage/mesh.vert": ("vec4 mesh_value", "stage/no_value.glsl"),
+    "stage/values.frag": ("vec3 shading_normal", "stage/no_normal.glsl"),
+}
 Programs = dict[str, tuple[shader.Assembled, shader.Assembled | None]]
 
 
@@ -33,6 +42,7 @@ class Source:
     scene: Scene
     file: str = "scene"
     first: int = 1
+    overrides: shader.Overrides = ()  # what is included in place of the course's texts
 
 
 def needed(scene: Scene) -> tuple[str, ...]:
@@ -45,15 +55,18 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
-             names: tuple[str, ...] | None = None) -> Programs:
+             names: tuple[str, ...] | None = None, overrides: shader.Overrides = ()) -> Programs:
     """name -> (vertex, fragment or None) for every program the scene needs (or the named ones)."""
     own = {"scene": shader.Source(scene.glsl, file, first)}
+    own |= {one.name: shader.Source(one.text, one.file, one.first) for one in scene.texts}
+    own |= dict(overrides)
 
     def text(part: tuple[str, str]) -> shader.Assembled:
         before, after = part
         lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
-        if after in VALUES and not re.search(rf"^vec4 {VALUES[after]}\(", scene.glsl, re.MULTILINE):
-            lines.insert(0, '#include "stage/no_value.glsl"')
+        function, otherwise = OPTIONAL.get(after, ("", ""))
+        if function and not re.search(rf"^{function}\(", scene.glsl, re.MULTILINE):
+            lines.insert(1, f'#include "{otherwise}"')
         return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
 
     found: Programs = {}
@@ -61,6 +74,14 @@ def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[st
         vertex, fragment = PARTS[name]
         found[name] = text(vertex), text(fragment) if fragment else None
     return found
+
+
+@cache
+def look(theme: Theme) -> dict:
+    """What a theme gives to a scene."""
+    return {"background": tuple(srgb_to_linear(rgb(theme.background))),
+            "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
+            "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
 
 
 def grid(cells: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:

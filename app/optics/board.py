@@ -53,3 +53,24 @@ def mirror_gain(theta, f0):
     """
     cosine = np.cos(np.asarray(theta, float))
     return f_schlick(cosine, f0) / (np.asarray(f0, float) * cosine**2)
+
+
+def denominator(n_dot_l, n_dot_v):
+    """What D G F is divided by: light and eye see the facets at a slant.
+
+    4 (n.l)(n.v)
+
+    n_dot_l, n_dot_v (...) 0 .. 1. Returns (...). Errors: none. Source: deck, The Cook - Torrance Model (2), with 1/4
+    for the printed 1/pi.
+    """
+    return 4 * np.asarray(n_dot_l, float) * np.asarray(n_dot_v, float)
+
+
+def denominator_printed(n_dot_l, n_dot_v):
+    """What D G F is divided by in print.
+
+    pi (n.l)(n.v)
+
+    n_dot_l, n_dot_v (...) 0 .. 1. Returns (...). Errors: none. Source: deck, The Cook - Torrance Model (2).
+    """
+    return np.pi * np.asarray(n_dot_l, float) * np.asarray(n_dot_v, float)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy import pi
 
 from app.optics.cook_torrance import _l_dot_h, brdf_cook_torrance
-from app.optics.fresnel import f_average_schlick, f_schlick
+from app.optics.fresnel import f_average_schlick
 from app.optics.phong import _dot, _facing
 from app.quadrature import gauss_legendre
 
@@ -105,4 +105,6 @@ def albedo_coated(theta_v, rho, f0, coupling):
     theta_v (...) rad, 0 .. pi/2, rho (...), f0 (...) below 1, coupling (...) 0 .. 3. Returns (...); above 1 light is
     made. Errors: none. Source: optics reference, D13.
     """
-    return (f_schlick(np.cos(np.asarray(theta_v, float)), f0) + albedo_body(theta_v, rho, f0, coupling))[()]
+    f0 = np.asarray(f0, float)
+    less = 2 * np.sin(0.5 * np.asarray(theta_v, float)) ** 2  # 1 - n.v
+    return (f0 + (1 - f0) * np.minimum(less, 1) ** 5 + albedo_body(theta_v, rho, f0, coupling))[()]

@@ -15,7 +15,6 @@ from app.optics.fresnel import f_schlick
 from app.optics.spherical import direction
 from app.quadrature import gauss_legendre
 
-_NODES, _WEIGHTS = gauss_legendre(24)
 _FARTHEST = 6.5  # of tan a / m: e^(-42) lies beyond
 
 
@@ -91,8 +90,9 @@ def cook_torrance_printed_at(theta_l, theta_v, phi, m, f0):
     return brdf_cook_torrance_printed(*_directions(theta_l, theta_v, phi), m, f0)
 
 
-def _tilts(theta_v, m):
+def _tilts(theta_v, m, count):
     """Nodes and weights of x = tan a / m from 0 to 6.5, in pieces between the tilts a at which the integrand bends."""
+    nodes, weights = gauss_legendre(count)
     t, quarter = np.asarray(theta_v, float), 0.25 * pi
     bends = [quarter - t / 2, quarter + t / 2, 2 * quarter - t, t, (2 * quarter - t) / 3, (2 * quarter + t) / 3,
              np.full_like(t, quarter)]
@@ -103,9 +103,9 @@ def _tilts(theta_v, m):
     if edges.ndim == 1:
         edges = np.unique(edges)
     low, wide = edges[..., :-1, None], np.diff(edges)[..., None]
-    psi = 0.5 * pi * _NODES
+    psi = 0.5 * pi * nodes
     x = low + wide * np.sin(psi) ** 2
-    weight = 0.5 * pi * _WEIGHTS * wide * np.sin(2 * psi)
+    weight = 0.5 * pi * weights * wide * np.sin(2 * psi)
     return (y.reshape(*edges.shape[:-1], -1) for y in (x, weight))
 
 
@@ -115,20 +115,26 @@ def albedo_cook_torrance(theta_v, m, f0):
     int f n.l dw_l = int 2 x e^(-x^2) J / (pi cos a n.v) dx, x = tan a / m, J = int G u F dphi from 0 to pi, u = l.h:
     G u is made of at most three straight pieces of u, and F is a polynomial of it, so J is in closed form
 
-    theta_v (...) rad below pi/2, m (...) RMS slope, f0 (...). Returns (...), at most 1. Errors: none; m below 1e-5 is
-    taken as 1e-5. Source: derived for this course; 24 Gauss-Legendre nodes for each piece of x between its bends.
+    theta_v (...) rad below pi/2, m (...) RMS slope, f0 (...). Returns (...), at most 1. Errors: rounding over n.v; m
+    below 1e-5 is taken as 1e-5. Source: derived for this course; 24 Gauss-Legendre nodes for each piece of x
+    between its bends.
     """
+    return _albedo(theta_v, m, f0, 24)[0]
+
+
+def _albedo(theta_v, m, f0, count):
+    """The same by `count` nodes for each piece, and how many nodes that were in all."""
     shape = np.broadcast_shapes(*map(np.shape, (theta_v, m, f0)))
     t, m, f0 = (np.broadcast_to(np.asarray(x, float), shape) for x in (theta_v, m, f0))
     m = np.maximum(m, SMOOTHEST)
-    x, weight = (y.reshape(t.size, -1) for y in _tilts(t, m))
+    x, weight = (y.reshape(t.size, -1) for y in _tilts(t, m, count))
     rows, nodes = np.nonzero(weight)  # about half of the pieces are empty
     x, weight, t, m, f0 = x[rows, nodes], weight[rows, nodes], t.ravel()[rows], m.ravel()[rows], f0.ravel()[rows]
     n_dot_v = np.maximum(np.cos(t), 1e-7)  # the closed form cancels by 1 over this
     slope = m * x
     c = 1 / np.sqrt(1 + slope * slope)
     share = weight * 2 * x * np.exp(-x * x) * _turned(c, slope * c, n_dot_v, np.sin(t), f0) / (pi * c * n_dot_v)
-    return np.bincount(rows, share, np.prod(shape, dtype=int)).reshape(shape)[()]
+    return np.bincount(rows, share, np.prod(shape, dtype=int)).reshape(shape)[()], len(rows)
 
 
 def albedo_cook_torrance_printed(theta_v, m, f0):

@@ -7,19 +7,20 @@ in golden turns. Seen from above all are equally large.
 import numpy as np
 
 from app.optics.beckmann import d_beckmann
-from app.optics.spherical import light_direction, view_direction
+from app.optics.spherical import light_and_view, light_direction, view_direction
 
 
 def facet_slope(index, m, facets):
     """The slope of facet number `index`: at this quantile of Beckmann's distribution.
 
-    m sqrt(-ln(1 - xi)), xi = (index + 1/2) / facets
+    m sqrt(-ln(1 - xi)), xi = (index + 1/2) / facets; beyond a half 1 - xi is (facets - index - 1/2) / facets
 
     index (...) 0 .. facets - 1, m (...) RMS slope, facets (...) >= 1. Returns (...). Errors: none.
     Source: Beckmann and Spizzichino 1963; Walter et al. 2007 sample so.
     """
     index, facets = np.asarray(index, float), np.asarray(facets, float)
-    return m * np.sqrt(-np.log1p(-(index + 0.5) / facets))
+    share, rest = (index + 0.5) / facets, (facets - index - 0.5) / facets
+    return m * np.sqrt(-np.where(share < 0.5, np.log1p(-np.minimum(share, 0.5)), np.log(rest)))
 
 
 def facet_normal(index, m, facets):
@@ -86,7 +87,7 @@ def halfway_angle(theta_l, theta_v, phi):
 
     theta_l, theta_v, phi (...) rad. Returns (...) rad. Errors: none. Source: deck, The Blinn Model.
     """
-    s = light_direction(theta_l, phi) + view_direction(theta_v)
+    s = light_and_view(theta_l, theta_v, phi)
     return np.arctan2(np.hypot(s[..., 0], s[..., 1]), s[..., 2])
 
 
@@ -97,8 +98,7 @@ def d_halfway(theta_l, theta_v, phi, m):
 
     theta_l, theta_v, phi (...) rad, m (...). Returns (...) 1/sr. Errors: none. Source: deck, Distribution Term (2).
     """
-    s = light_direction(theta_l, phi) + view_direction(theta_v)
-    return d_beckmann(np.array([0.0, 0.0, 1.0]), s, m)
+    return d_beckmann(np.array([0.0, 0.0, 1.0]), light_and_view(theta_l, theta_v, phi), m)
 
 
 def d_counted(theta_h, m, half_angle, facets):

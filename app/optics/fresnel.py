@@ -72,6 +72,21 @@ def f_dielectric(l_dot_h, eta):
     return 0.5 * (f_dielectric_s(l_dot_h, eta) + f_dielectric_p(l_dot_h, eta))
 
 
+def f_dielectric_naive(l_dot_h, eta):
+    """The same as textbooks print it, by the cosine on the far side: no number where that has none.
+
+    ((c - eta g)^2 / (c + eta g)^2 + (eta c - g)^2 / (eta c + g)^2) / 2, g = sqrt(1 - (1 - c^2) / eta^2)
+
+    l_dot_h (...) 0 .. 1, eta (...) > 0. Returns (...); NaN in total reflection, and near eta = 1 it loses its digits.
+    Errors: those. Source: Fresnel 1823 with Snell's law.
+    """
+    c, eta = np.broadcast_arrays(np.asarray(l_dot_h, float), np.asarray(eta, float))
+    with np.errstate(invalid="ignore"):
+        g = np.sqrt(1 - (1 - c * c) / (eta * eta))
+        s, p = (c - eta * g) / (c + eta * g), (eta * c - g) / (eta * c + g)
+    return (0.5 * (s * s + p * p))[()]
+
+
 def t_dielectric(l_dot_h, eta):
     """The share of unpolarised light that enters a transparent medium; with f_dielectric it makes 1.
 

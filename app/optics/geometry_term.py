@@ -6,7 +6,7 @@ phi = 180 degrees is the mirror side. What vgroove and smith say of cosines, for
 import numpy as np
 
 from app.optics.smith import lambda_beckmann_slope, lambda_ggx_slope
-from app.optics.spherical import direction
+from app.optics.spherical import light_and_view
 from app.optics.vgroove import g_branch, g_masking, g_shadowing, g_vgroove
 
 
@@ -26,7 +26,7 @@ def half_cosines(theta_l, theta_v, phi):
     theta_l, theta_v, phi (...) rad. Returns (..., 4). Errors: none. Source: deck, The Blinn Model.
     """
     theta_l, theta_v, phi = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta_l, theta_v, phi)))
-    s = direction(theta_l, phi) + direction(theta_v, 0.0)
+    s = light_and_view(theta_l, theta_v, phi)
     size = np.sqrt(np.sum(s * s, -1))
     n_dot_h = np.where(size > 0, np.maximum(s[..., 2], 0) / np.where(size > 0, size, 1), 1.0)
     return np.stack([n_dot_h, _cosine(theta_v), _cosine(theta_l), 0.5 * size], -1)

@@ -35,13 +35,14 @@ def facet_lean(n, h):
 def groove_lean(n, h, v):
     """The angle of a direction from n as one sees it along a groove whose facet has the normal h, positive towards h.
 
-    atan2(v . t, v . n), t the unit vector of h - (n . h) n: only this matters, as the groove is endlessly long
+    atan2(v . t, v . n), t the unit vector of h - (n . h) n = n x ((h - n) x n): only this matters, as the groove is
+    endlessly long
 
     n, h, v (..., 3) unit vectors. Returns (...) rad; where h = n, which is no groove, 0. Errors: none.
     Source: Torrance and Sparrow 1967; Blinn 1977.
     """
     n, h, v = (np.asarray(x, float) for x in (n, h, v))
-    t = h - np.sum(n * h, -1, keepdims=True) * n
+    t = np.cross(n, np.cross(h - n, n))  # at right angles to n also where h is nearly n
     size = np.linalg.norm(t, axis=-1)
     across = np.sum(v * t, -1)
     return np.where(size > 0, np.arctan2(across, size * np.sum(v * n, -1)), 0.0)[()]

@@ -211,8 +211,9 @@ def ies_illuminance(table, way, normal, turn, aim):
 
 def _falloff(way, normal):
     way, normal = np.asarray(way, float), np.asarray(normal, float)
-    r = np.sqrt(np.sum(way * way, -1))
-    return np.maximum(0, -np.sum(way * normal, -1)) / (r * r * r)
+    r, facing = np.sqrt(np.sum(way * way, -1)), -np.sum(way * normal, -1)
+    lit = facing > 0
+    return np.where(lit, facing / np.where(lit, r, 1) ** 3, 0.0)[()]
 
 
 def ies_room_illuminance(table, height, setback, turn, aim, meter_x, meter_s):

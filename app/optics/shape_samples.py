@@ -107,7 +107,8 @@ def sample_share(to_sample):
     """
     to_sample = np.asarray(to_sample, float)
     r2 = np.sum(to_sample * to_sample, -1)
-    return np.maximum(to_sample[..., 2], 0) / r2 / r2
+    up = to_sample[..., 2] > 0
+    return (np.where(up, to_sample[..., 2], 0) / np.where(up, r2, 1) / np.where(up, r2, 1))[()]
 
 
 def sphere_piece(to_light, radius, sampling, s, t):
@@ -138,7 +139,8 @@ def sphere_piece(to_light, radius, sampling, s, t):
     away = h * h + 2 * radius * h * r2
     spread = radius * np.sqrt(h / np.where(outside, d, 1.0) * (2 - low))
     by_area = w * (h + radius * low)[..., None] + (aside * p[..., :1] + across * p[..., 1:]) * spread[..., None]
-    cosine = h * np.maximum(1 - r2, 0) / np.sqrt(away)
+    rim = np.min(np.broadcast_arrays(s, 1 - s, t, 1 - t), 0)  # 1 - r2 = 4 rim (1 - rim)
+    cosine = h * 4 * rim * (1 - rim) / np.sqrt(away)
     area = 2 * np.pi * radius**2 * h / np.where(outside, d, 1.0)
     # the cone
     q = np.where(outside, radius / safe, 1.0)

@@ -19,8 +19,8 @@ class Draughtsman:
         self.key: Any = None
         self.triangles: Any = None
 
-    def draw(self, wish) -> tuple[Any, str]:
-        """The picture, and the words of what went wrong in drawing it."""
+    def draw(self, wish) -> tuple[Any, str, tuple]:
+        """The picture, the words of what went wrong in drawing it, and its points that can be pointed at."""
         from app.plots.draw import Drawing, failed
 
         if wish.mesh_changed:
@@ -31,11 +31,11 @@ class Draughtsman:
                 self.close()
                 self.drawing = Drawing(wish.plot, wish.size, wish.theme, self.triangles, wish.ranges)
                 self.key = key
-            return self.drawing.update(wish.values, wish.camera, wish.fine), ""
+            return self.drawing.update(wish.values, wish.camera, wish.fine), "", self.drawing.spots
         except Exception as error:  # a drawing that fails is shown as its message, and the next may succeed
             self.close()
             words = str(error) if isinstance(error, Problem) else f"{type(error).__name__}: {error}"
-            return failed(wish.plot, wish.size, wish.theme, words), words
+            return failed(wish.plot, wish.size, wish.theme, words), words, ()
 
     def close(self) -> None:
         drawing, self.drawing = self.drawing, None
@@ -52,8 +52,7 @@ def main() -> None:
     try:
         while True:
             wish = receive(source)
-            picture, error = draughtsman.draw(wish)
-            send(sink, (picture, error))
+            send(sink, draughtsman.draw(wish))
     except (EOFError, BrokenPipeError, KeyboardInterrupt):
         os._exit(0)  # no farewell from VTK: the window has gone
 

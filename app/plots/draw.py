@@ -2,6 +2,7 @@
 
 import os
 import sys
+from dataclasses import replace
 from typing import Any
 
 if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, which ends a process that also uses EGL
@@ -11,8 +12,9 @@ if sys.platform.startswith("linux"):  # beside a display VTK would take GLX, whi
 import numpy as np
 import pyvista as pv
 
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
 from app.plots.curves import CurvesPart
+from app.plots.efforts import EffortsPart
 from app.plots.faces import FacesPart
 from app.plots.figure import FigurePart
 from app.plots.image_slice import ImageSlicePart
@@ -20,6 +22,7 @@ from app.plots.ledger import LedgerPart
 from app.plots.lobes import LobesPart
 from app.plots.look import Look
 from app.plots.slices import SlicePart
+from app.plots.wire import Spot
 from app.plots.words import header, line_of_words, noticed
 from app.theme import Theme
 
@@ -49,6 +52,8 @@ class Drawing:
             self.open(values)
         plotter = self.plotter
         assert plotter is not None
+        if isinstance(self.part, EffortsPart):
+            self.part.measure(values, fine)
         notices = self.part.update(values, camera)
         self.smooth(fine)
         plotter.reset_camera_clipping_range()
@@ -60,6 +65,13 @@ class Drawing:
         if isinstance(self.plot, Curves | Slice | ImageSlice):  # a slice is blank, if at all, at its top
             bottom = len(self.head) + round((0.24 if isinstance(self.plot, ImageSlice) else 0.7) * len(drawn))
         return np.ascontiguousarray(noticed(self.look, picture, notices, bottom))
+
+    @property
+    def spots(self) -> tuple[Spot, ...]:
+        """The points of the last picture that can be pointed at."""
+        if not isinstance(self.part, EffortsPart):
+            return ()
+        return tuple(replace(spot, y=spot.y + len(self.head)) for spot in self.part.spots)
 
     def open(self, values: dict) -> None:
         if isinstance(self.part, LobesPart | SlicePart | ImageSlicePart):
@@ -90,7 +102,7 @@ def part(plot: Plot, look: Look, triangles: np.ndarray | None, ranges: dict) -> 
     if isinstance(plot, Faces):
         return FacesPart(plot, look, triangles)
     kinds: dict[type, Any] = {Figure: FigurePart, Ledger: LedgerPart, Lobes: LobesPart, Slice: SlicePart,
-                              ImageSlice: ImageSlicePart}
+                              ImageSlice: ImageSlicePart, Study: EffortsPart}
     return kinds[type(plot)](plot, look)
 
 

@@ -17,8 +17,9 @@ from typing import Any, BinaryIO, cast
 import numpy as np
 
 from app.lesson import Camera, Plot
+from app.needs import only, plotted
 from app.paths import ROOT
-from app.plots.wire import receive, send
+from app.plots.wire import Spot, receive, send
 from app.problem import Problem
 from app.theme import Theme
 
@@ -47,6 +48,7 @@ class Picture:
     image: np.ndarray  # (height, width, 3) uint8
     wish: Wish  # what it shows
     error: str = ""  # why the drawing failed; the image says it too
+    spots: tuple[Spot, ...] = ()
 
 
 class PlotProcess:
@@ -83,8 +85,9 @@ class PlotProcess:
         if self.size is None or self.theme is None:
             raise ValueError("a plot needs a size and a theme, here or when its process is started")
         self.count += 1
-        wish = Wish(plot, dict(values), (int(self.size[0]), int(self.size[1])), self.theme, dict(ranges or {}), camera,
-                    triangles, fine, fresh, self.count)
+        size = int(self.size[0]), int(self.size[1])
+        wish = Wish(plot, only(values, plotted(plot)), size, self.theme, dict(ranges or {}), camera, triangles, fine,
+                    fresh, self.count)
         with self.lock:
             self.wish = self.last = wish
             self.lock.notify_all()
@@ -128,9 +131,9 @@ class PlotProcess:
                 changed, mesh = wish.triangles is not mesh, wish.triangles
                 sent = replace(wish, mesh_changed=changed, triangles=mesh if changed else None)
                 send(cast(BinaryIO, child.stdin), sent)
-                image, error = receive(cast(BinaryIO, child.stdout))
+                image, error, spots = receive(cast(BinaryIO, child.stdout))
                 with self.lock:
-                    self.picture = Picture(image, wish, error)
+                    self.picture = Picture(image, wish, error, spots)
                 self.wake()
         except (EOFError, OSError, ValueError):  # ValueError: the pipe was closed under it
             with self.lock:

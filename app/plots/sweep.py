@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from app.edit import EDITED
 from app.lesson import Curve, Curves
 from app.plots.ticks import Axis, nice
 from app.problem import Problem
 from app.quantities import quantity, shown
-from app.terms import bound, evaluate
+from app.terms import bound, evaluate, is_yours
 
 POINTS = 241
 FLOOR = {"float64": 1e-17, "float32": 1e-10}  # where an error of 0 is drawn: below every rounding error
@@ -70,6 +71,8 @@ class Sweep:
         """A curve over the whole sweep; kept while only the swept value moves."""
         args = bound(curve.term, {**values, self.plot.sweep: None})
         key = {k: v.tobytes() if isinstance(v, np.ndarray) else v for k, v in args.items()}
+        if is_yours(curve.term, values):
+            key[EDITED] = values[EDITED]
         if index not in self.kept or self.kept[index][0] != key:
             self.kept[index] = key, self.at(curve, values, self.x)
         return self.kept[index][1]

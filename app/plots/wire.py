@@ -2,7 +2,21 @@
 
 import pickle
 import struct
+from dataclasses import dataclass
 from typing import Any, BinaryIO
+
+from app.lesson import Number
+
+
+@dataclass(frozen=True)
+class Spot:
+    """A point of a picture that can be pointed at, px from the top left: what it is, and what a click on it sets."""
+
+    x: float
+    y: float
+    words: str
+    sets: dict[str, Number]
+
 
 LENGTH = struct.Struct("<Q")
 

@@ -9,7 +9,9 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from imgui_bundle import ImVec2, imgui
 
 from app.badges import ASKED, NAMES, SHORT, Badge, key, of_model, told
+from app.edit import EDITED
 from app.lesson import Model
+from app.terms import is_yours
 from app.theme import colour
 from app.viewer import glfw, style
 
@@ -23,6 +25,7 @@ class BadgesPanel:
         self.thread = ThreadPoolExecutor(1, "badges")
         self.known: OrderedDict[tuple, dict[str, Badge] | str] = OrderedDict()
         self.job: Future | None = None
+        self.seen = -1  # the revision of the last look
         self.last: dict[tuple, dict[str, Badge] | str] = {}  # of the model of a step, as it was shown last
 
     @property
@@ -67,7 +70,8 @@ class BadgesPanel:
         ink = style.u32(colour(model.colour, self.app.theme))
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
-        imgui.text_wrapped(model.label)
+        mine = is_yours(model.term, values)
+        imgui.text_wrapped(model.label + (", yours" if mine else ", the course's" if EDITED in values else ""))
         for name in NAMES:
             imgui.table_next_column()
             badge = shown[name] if isinstance(shown, dict) and not hidden else None
@@ -107,8 +111,10 @@ class BadgesPanel:
             draw.add_circle(ImVec2(x, y), 1.35 * r, style.u32(colour("foreground", theme)), 0, 0.5 * wide)
 
     def ask(self, models: tuple[Model, ...], values: dict) -> None:
-        """One job at a time, for the first model whose badges are not known."""
-        if self.job is not None:
+        """One job at a time, for the first model whose badges are not known. Models of the board are dear, and wait
+        until nothing moves."""
+        moving, self.seen = self.app.session.revision != self.seen, self.app.session.revision
+        if self.job is not None or (moving and any(":" in model.term.function for model in models)):
             return
         for model in models:
             wanted = key(model, values)

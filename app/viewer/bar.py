@@ -4,7 +4,8 @@ from imgui_bundle import imgui
 
 from app.viewer import controls, style
 
-BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"),
+           ("Keys", "?"))
 
 
 def draw(app) -> None:
@@ -20,7 +21,9 @@ def draw(app) -> None:
     imgui.end_disabled()
     imgui.same_line()
     imgui.align_text_to_frame_padding()
-    imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min")
+    of_course = bool(step.chapter.steps)
+    imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
+                        if of_course else step.chapter.title.lower())
     if app.message:
         imgui.same_line()
         controls.badge(app.message, style.ink("printed", app.theme))

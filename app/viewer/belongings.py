@@ -4,9 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
-from app import maps, tables
+from app import edit, leaving, maps, tables
+from app.board.board_step import MOST, name_of, words_of
+from app.board.models import FILES
+from app.catalog import BOARD, LoadedStep
+from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
-from app.gpu.stage_text import Source
 from app.ies import Photometry, read
 from app.meshes import Mesh, built_in, load
 from app.problem import Problem
@@ -22,7 +25,10 @@ class Belongings:
         self.maps: dict[str, maps.OwnMap] = {}  # the user's own, by their kind
         self.lamp = 0  # that was chosen when the user's luminaire came
         self.placed: tuple = ()  # the step and the mesh on the stage
+        self.decided: tuple[leaving.Decision, ...] = ()  # what the scene does without, at the present values
         self.fault = ""  # why this step has no picture
+        self.tried: tuple = ()  # the step and the texts that were compiled last
+        self.wrong = ""  # what is wrong with the user's texts
 
     @property
     def data(self) -> dict[str, np.ndarray]:
@@ -34,11 +40,13 @@ class Belongings:
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
-        """A file that was dropped or named: a luminaire or a map by its ending, else a mesh."""
+        """A file that was dropped or named: a luminaire, a reflectance model or a map by its ending, else a mesh."""
         app = self.app
         try:
             kind = Path(path).suffix.lower()
-            if kind == ".ies":
+            if kind in FILES:
+                self.take_model(path)
+            elif kind == ".ies":
                 self.take_ies(path)
             elif kind in maps.ENDINGS:
                 self.take_map(maps.guessed(path), path)
@@ -55,6 +63,16 @@ class Belongings:
             session.go(next(s.id for s in session.steps if tables.has_luminaire(s.step.scene)))
         self.ies, self.lamp = found, int(session.values.get("luminaire", 0))
         self.app.message = found.summary
+
+    def take_model(self, path: str) -> None:
+        """The user's own model, on the board: beside what is there, or on a board of its own."""
+        session = self.app.session
+        words = words_of(session.current.step.name) if session.current.id.startswith(BOARD) else []
+        others = [(word, on) for word, on in words if word != path]
+        room = sum(on for _, on in others) < MOST
+        session.examine(BOARD + name_of([*others, (path, room)]))
+        entry = next(e for e in session.current.entries if e.word == path)
+        self.app.message = entry.fault or ("" if room else f"{entry.label} is on the list; {MOST} models are shown.")
 
     def take_maps(self, given: tuple[str, ...]) -> None:
         """Those named on the command line, as kind=FILE."""
@@ -91,26 +109,56 @@ class Belongings:
     def place(self) -> None:
         """A stage for the step that is shown, with its mesh; made again when either changes."""
         found, values = self.app.session.current, self.app.session.values
+        self.decided = leaving.decisions(found, values, self.app.session.visit.decided)
+        found = leaving.lean(found, self.decided)
         if self.ies is not None and values.get("luminaire", self.lamp) != self.lamp:
             self.ies = None  # a luminaire was chosen: back to the scene's own
         self.tables = tables.chosen(found.step.scene, values, self.ies, self.maps)
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
         shape = int(values.get("shape", 0)) if is_mesh else -1
-        wanted = found.id, shape, id(self.mesh) if is_mesh else 0
-        if wanted == self.placed:
-            return
+        # texts: it may be broken, or do without something
+        wanted = (found.id, found.step.scene.texts), shape, id(self.mesh) if is_mesh else 0
+        if wanted != self.placed:
+            self.place_anew(found, wanted)
+        self.write()
+
+    def place_anew(self, found: LoadedStep, wanted: tuple) -> None:
+        shape = wanted[1]
+        is_mesh = shape >= 0
         was, self.placed, self.fault = self.placed, wanted, ""
-        if self.mesh is not None and was[:1] == (found.id,) and was[1] not in (-1, shape):
-            self.mesh, self.placed = None, (found.id, shape, id(None))  # a shape was chosen: back to the scene's own
+        if self.mesh is not None and was[:1] == wanted[:1] and was[1] not in (-1, shape):
+            self.mesh, self.placed = None, (*wanted[:2], id(None))  # a shape was chosen: back to the scene's own
         self.triangles = None if not is_mesh else self.mesh.triangles if self.mesh else self.mesh_named(shape)
         scene = self.app.scene
         try:
-            if was[:1] == (found.id,) and scene.stage:
+            if was[:1] == wanted[:1] and scene.stage:
                 scene.stage.place(self.triangles)
                 scene.drawn = None
             else:
-                source = Source(found.step.scene, found.file_name, found.glsl_line)
-                scene.show(Stage(self.app.ctx, source, self.triangles))
+                self.tried = ()
+                scene.show(Stage(self.app.ctx, edit.source_of(found), self.triangles))
         except Problem as problem:
             self.fault = str(problem)
+        self.app.ctx.screen.use()
+
+    def write(self) -> None:
+        """The user's texts in the scene and in whatever evaluates its twins; while one is wrong, those before stay."""
+        session, stage = self.app.session, self.app.scene.stage
+        found, known = session.current, session.functions
+        texts = {name: text for name, text in session.visit.texts.items() if name in known}
+        if stage is None or self.tried == (found.id, texts):
+            return
+        self.tried, self.wrong = (found.id, texts), ""
+        try:
+            for name, text in texts.items():
+                edit.check(text, known[name])
+            source = edit.source_of(found)
+            stage.rewrite(edit.overrides(texts, known, source))
+            for function, overrides in edit.twins(found, texts):
+                compiled(function, overrides, self.app.ctx)
+        except Problem as problem:
+            self.wrong = str(problem)
+        else:
+            session.run(texts)
+            self.app.scene.drawn = None
         self.app.ctx.screen.use()

@@ -7,7 +7,6 @@ from imgui_bundle import imgui
 
 from app.catalog import ValueSpec
 from app.lesson import Number
-from app.quantities import shown
 from app.spoken import said, words
 from app.typed import digits
 from app.viewer import style
@@ -18,7 +17,11 @@ BOUNDED = imgui.SliderFlags_.always_clamp
 
 def draw(app) -> None:
     """The few controls of the step, and the rest behind "more"."""
-    specs = list(app.session.current.values.values())
+    rows(app, app.session.current.below)
+
+
+def rows(app, specs: Iterable[ValueSpec]) -> None:
+    specs = list(specs)
     left = label_width(specs)
     imgui.begin_disabled(app.session.frozen)
     for spec in (s for s in specs if not s.more):
@@ -32,6 +35,8 @@ def draw(app) -> None:
 
 
 def label(spec: ValueSpec) -> str:
+    if spec.label:
+        return spec.label
     return said(spec.name) if spec.choices else words(spec.name)
 
 
@@ -51,6 +56,8 @@ def height(specs: Iterable[ValueSpec], room: float) -> float:
 def lines(spec: ValueSpec, room: float) -> list[list[int]]:
     """The choices of a value, in as many lines as they need; a slider is one."""
     found: list[list[int]] = [[]]
+    if spec.unfolds:
+        return found
     style, x = imgui.get_style(), 0.0
     for i in range(int(spec.low), int(spec.high) + 1) if spec.choices else ():
         width = imgui.get_frame_height() + style.item_inner_spacing.x + imgui.calc_text_size(spec.choices[i]).x
@@ -84,6 +91,8 @@ def row(app, spec: ValueSpec, width: float) -> None:
 
 def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     found, new = False, value
+    if spec.unfolds:
+        return imgui.combo(f"##{spec.name}", int(value), list(spec.choices))  # type: ignore[arg-type]
     left = imgui.get_cursor_pos_x()
     for line in lines(spec, imgui.get_content_region_avail().x):
         imgui.set_cursor_pos_x(left)
@@ -98,12 +107,15 @@ def choice(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
 def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     """A slider in screen units; the value comes back in internal ones."""
     flags = BOUNDED | (imgui.SliderFlags_.logarithmic if spec.scale == "log" else 0)
-    low, high = (float(shown(spec.name, x)) for x in (spec.low, spec.high))  # type: ignore[arg-type]
+    low, high = (float(spec.quantity.shown(x)) for x in (spec.low, spec.high))  # type: ignore[arg-type]
     unit = spec.quantity.screen_unit
     label, form = f"##{spec.name}", f"%.{places(spec, low, high)}" + (unit if unit in ("", "°") else f" {unit}")
-    now = shown(spec.name, value)
+    now = spec.quantity.shown(value)
     if spec.quantity.kind == "int":
         return imgui.slider_int(label, int(now), int(low), int(high), "%d", flags)  # type: ignore[arg-type]
+    if spec.quantity.kind == "color" and isinstance(now, tuple):
+        changed, numbers = imgui.color_edit3(label, list(now), imgui.ColorEditFlags_.float)
+        return changed, inside(spec, tuple(numbers))
     if isinstance(now, tuple):
         draw_slider = imgui.slider_float2 if len(now) == 2 else imgui.slider_float3
         changed, numbers = draw_slider(label, list(now), low, high, form, flags)
@@ -121,9 +133,7 @@ def places(spec: ValueSpec, low: float, high: float) -> str:
 
 
 def inside(spec: ValueSpec, value: Number) -> Number:
-    from app.quantities import entered
-
-    new = entered(spec.name, value)
+    new = spec.quantity.entered(value)
     if isinstance(new, tuple):
         return tuple(min(max(x, spec.low), spec.high) for x in new)
     return min(max(new, spec.low), spec.high)
@@ -136,13 +146,14 @@ def tool_tip(spec: ValueSpec) -> None:
     low, high, first = (text(spec, x) for x in (spec.low, spec.high, spec.default))
     gap = "" if unit in ("", "°") else " "
     imgui.set_tooltip(
-        f"{words(spec.name)}: {spec.quantity.words}.\n{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
+        f"{spec.label or words(spec.name)}: {spec.quantity.words}.\n"
+        f"{low} to {high}{gap}{unit}, at first {first}{gap}{unit}.\n"
         "Ctrl+click to type, double click to reset."
     )
 
 
 def text(spec: ValueSpec, value: Number) -> str:
-    number = shown(spec.name, value)
+    number = spec.quantity.shown(value)
     return ", ".join(map(digits, number)) if isinstance(number, tuple) else digits(number)
 
 

@@ -30,7 +30,7 @@ def line(number: Number, theme: Theme, hidden: bool) -> None:
         ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, style.u32(shade)
     )
     imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
-    imgui.text_wrapped(number.label)
+    imgui.text_wrapped(number.label + (f", {number.whose}" if number.whose else ""))
     imgui.table_next_column()
     imgui.text_wrapped("?" if hidden else number.text)
     if imgui.is_item_hovered() and not hidden:
@@ -39,7 +39,7 @@ def line(number: Number, theme: Theme, hidden: bool) -> None:
     if hidden:
         return
     imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("printed" if bad(number) else "quiet", theme)))
-    imgui.text_wrapped(number.error_text + (f"\n{number.cost_text}" if number.cost_text else ""))
+    imgui.text_wrapped("\n".join(filter(None, (number.error_text, number.cost_text))))
     imgui.pop_style_color()
     if imgui.is_item_hovered() and number.cost_text:
         imgui.set_tooltip("the error against the exact number, and the time one evaluation took")

@@ -1,24 +1,27 @@
 """The plot beside the scene: wished for when something changed, drawn by a process of its own, shown when it comes."""
 
 import moderngl
-import numpy as np
 from imgui_bundle import ImVec2, imgui
 
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice
+from app import needs
+from app.edit import EDITED, marked
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, ModelPlot, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
+from app.plots.wire import Spot
 from app.problem import Problem
 from app.theme import rgb
 from app.viewer import glfw, style
+from app.viewer.study_panel import StudyPanel
 
 TURN = 0.5  # degrees a pixel
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
-        ImageSlice: "image"}
+        ImageSlice: "image", Study: "study"}
 
 
 def tab_words(plots: tuple[Plot, ...]) -> list[str]:
     """One word for each plot, with a number where two have the same."""
-    words = [TABS[type(plot)] for plot in plots]
+    words = [getattr(plot, "tab", "") or TABS[type(plot)] for plot in plots]
     return [word if words.count(word) == 1 else f"{word} {words[:i].count(word) + 1}" for i, word in enumerate(words)]
 
 
@@ -33,7 +36,16 @@ class PlotPanel:
         self.fine = False
         self.cameras: dict[tuple[str, str], Camera] = {}  # how a plot of a step was turned
         self.fault = ""
+        self.spots: tuple[Spot, ...] = ()  # of the picture, that can be pointed at
+        self.study = StudyPanel(app)
+        self.at = ImVec2(0, 0)  # where the picture is in the window
         self.shown = 0  # pictures so far
+        self.marks: tuple = (None, (), None)  # the plot, the user's texts, the plot with them marked
+
+    @property
+    def follows(self) -> bool:
+        """Whether anything in the plot is made of the user's texts."""
+        return self.marks[2] != self.marks[0]
 
     @property
     def waiting(self) -> bool:
@@ -45,9 +57,14 @@ class PlotPanel:
         plots = session.current.step.plots
         if len(plots) < 2:
             return
+        gap = 0.2 * imgui.get_font_size()
+        right = imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
         for i, word in enumerate(tab_words(plots)):
             if i:
-                imgui.same_line(0, 0.35 * imgui.get_font_size())
+                imgui.same_line(0, gap)
+                wide = imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x
+                if imgui.get_cursor_pos_x() + wide > right:
+                    imgui.new_line()
             chosen = i == session.visit.plot
             if chosen:
                 imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
@@ -67,7 +84,7 @@ class PlotPanel:
         if self.app.frame > 1:  # the lesson is shown first
             self.ask(values, size)
         self.take()
-        at = imgui.get_cursor_screen_pos()
+        self.at = at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
         current = self.of == self.app.session.current.id and self.showing is self.app.session.plot
         if self.texture is not None and current and not self.fault and not hidden:
@@ -84,23 +101,27 @@ class PlotPanel:
         else:
             imgui.invisible_button("plot", room)
             self.turn()
+            if current and not hidden:
+                self.study.point(self.spots, at)
 
     def ask(self, values: dict, size: tuple[int, int]) -> None:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-        triangles = values.get("triangles")
-        shown = {k: v for k, v in values.items() if k not in ("triangles", "texture_coordinates")}
-        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, plot.title, known, size, theme.name, camera
+        triangles = None if isinstance(plot, ModelPlot) else values.get("triangles")  # a model is of no mesh
+        shown = {k: v for k, v in values.items() if k != "triangles"}
+        wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
         if self.process is None:
             self.process = PlotProcess(on_picture=glfw.wake)
         self.fine, self.asked = rest, wanted
+        edits = shown.get(EDITED, ())
+        if self.marks[0] is not plot or self.marks[1] != edits:
+            self.marks = plot, edits, marked(plot, edits)
         ranges = {name: (spec.low, spec.high, spec.scale) for name, spec in found.values.items()}
-        self.process.request(plot, shown, ranges, camera, size, theme, triangles, fine=rest)
+        self.process.request(self.marks[2], shown, ranges, camera, size, theme, triangles, fine=rest)
 
     def take(self) -> None:
         """Show the picture that has come; say so when the process has died."""
@@ -120,8 +141,9 @@ class PlotPanel:
             self.texture = self.app.ctx.texture((width, height), 3, alignment=1)
         self.texture.write(picture.image.tobytes(), alignment=1)
         self.shown += 1
-        if picture.wish.plot is self.app.session.plot:
-            self.of, self.showing = self.app.session.current.id, picture.wish.plot
+        if self.marks[0] is self.app.session.plot and picture.wish.plot is self.marks[2]:
+            self.spots = picture.spots
+            self.of, self.showing = self.app.session.current.id, self.marks[0]
 
     def empty(self, at: ImVec2, room: ImVec2, hidden: bool) -> None:
         """A plot on its way shows its axes; a dead or hidden one says so."""

@@ -4,6 +4,8 @@ import numpy as np
 from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
+from app import needs
+from app.brush import angles_of
 from app.gpu.pick import Pick, pick
 from app.gpu.stage import Faults, Stage
 from app.lesson import Handle
@@ -29,6 +31,7 @@ class ScenePanel:
         self.moved = 0.0
         self.picked: tuple[Pick, ImVec2] | None = None
         self.frames_drawn = 0
+        self.needed: tuple = (None, frozenset())  # by the stage's source
         self.corner, self.room = ImVec2(), ImVec2()  # where the picture lies in the window
 
     # --- the picture -----------------------------------------------------------------------------------------------
@@ -44,12 +47,9 @@ class ScenePanel:
         scale = imgui.get_io().display_framebuffer_scale
         size = max(16, int(room.x * scale.x)), max(16, int(room.y * scale.y))
         camera = view.camera(self.stage.scene.camera)
-        wanted = (
-            size,
-            {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()},
-            view,
-            theme.name,
-        )
+        if self.needed[0] is not self.stage.source:  # another step, or another text of it
+            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.texts(None))
+        wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
         rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
         if changed or rest:
@@ -264,6 +264,8 @@ class ScenePanel:
         found = pick(self.stage, values, view.camera(self.stage.scene.camera), theme, at)
         self.app.ctx.screen.use()
         self.picked = (found, mouse) if found else None
+        if found and self.stage.scene.brush:
+            self.app.brush(angles_of(found.normal, view.camera(self.stage.scene.camera), values))
 
     def card(self, theme: Theme) -> None:
         """What was picked: raw values, before exposure and display."""

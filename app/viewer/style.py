@@ -6,6 +6,7 @@ from app.fonts import font_files
 from app.theme import Theme, colour, rgb
 
 Rgb = tuple[float, float, float]
+CODE: list = []  # the font of code, once it is loaded
 READABLE = 4.5  # contrast of words with their ground (WCAG 2, AA)
 
 
@@ -54,6 +55,13 @@ def load_font() -> None:
     if files := font_files():  # and what both lack: ₀, ₁
         merged.inside_assets = False
         hello_imgui.load_font(str(files[0]), 16.0, merged)
+
+
+    CODE[:] = [hello_imgui.load_font_ttf("fonts/Inconsolata-Medium.ttf", 16.0)]
+
+
+def code_font():
+    return CODE[0]
 
 
 def apply(theme: Theme, height: float) -> None:

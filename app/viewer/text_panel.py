@@ -8,7 +8,7 @@ from imgui_bundle import imgui, imgui_microtex, rich_md
 from app.lesson import Step
 from app.prose import FORMULA, for_screen
 from app.theme import THEMES, Theme, colour
-from app.viewer import style
+from app.viewer import break_panel, style
 
 MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
 
@@ -32,7 +32,9 @@ def draw(app) -> None:
     step = found.step
     heading(f"{found.loaded.number}.{found.index + 1}  {step.title}", 1.35)
     large = theme.name == "projector"  # fewer things, and what a class is asked first
-    if large:
+    if app.session.broken:
+        break_panel.told(app, app.session.broken)
+    elif large:
         question(app, step, theme)
     else:
         imgui.push_style_color(imgui.Col_.text, style.vec(colour("quiet", theme)))
@@ -45,9 +47,11 @@ def draw(app) -> None:
     rich_md.render_raw(text)
     imgui.pop_font()
     imgui.spacing()
-    if not large:
+    if not large or app.session.broken:
         question(app, step, theme)
         imgui.spacing()
+    app.lines.draw()
+    break_panel.buttons(app)
     if app.show_notes:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
     elif imgui.tree_node("Where this comes from"):
@@ -99,6 +103,8 @@ def question(app, step: Step, theme: Theme) -> None:
         imgui.text_wrapped(session.verdict or "The truth:")
         imgui.pop_style_color()
         imgui.text_wrapped(ask.told)
+        if session.visit.running:
+            imgui.text_disabled("(told of the course's text, not of yours)")
         if imgui.button("Ask me again"):
             session.ask_again()
     imgui.end_child()

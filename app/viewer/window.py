@@ -11,19 +11,25 @@ from pathlib import Path
 from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
+from app.catalog import BOARD
+from app.edit import CODE, EDITED
+from app.gpu.context import adopt, step_aside
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
 from app.progress import Progress
-from app.readouts import numbers
+from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import bar, controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, break_panel, controls, glfw, leave_panel, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
+from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
+from app.viewer.editor_panel import REST, EditorPanel
 from app.viewer.keys import press
+from app.viewer.lines_panel import LinesPanel
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
 
@@ -60,19 +66,24 @@ class Window:
         self.query = ""
         self.message = self.progress.message or self.session.message
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
-        self.badges = BadgesPanel(self)
+        self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
+        self.editor, self.lines = EditorPanel(self), LinesPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
+        self.measured: Known = {}  # of this step
+        self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
         self.own.take_maps(maps)
+        step_aside()
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        adopt(self.ctx)
         self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         glfw.least_size(*LEAST)
         self.drop_callback = glfw.on_drop(self.dropped.extend)
@@ -86,6 +97,7 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+        adopt(None)
 
     def after_swap(self) -> None:
         """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
@@ -118,6 +130,9 @@ class Window:
         if self.session.revision != self.saved and time.monotonic() - self.saved_at > SAVE_EVERY:
             self.saved, self.saved_at = self.session.revision, time.monotonic()
             self.session.save()  # a crash loses seconds, not a lesson
+        if self.editor.typed_at and time.monotonic() - self.editor.typed_at > REST:
+            self.editor.typed_at = 0.0
+            self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
@@ -131,8 +146,10 @@ class Window:
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
+        if self.editor.is_open:
+            left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, lambda: text_panel.draw(self))
+        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -150,9 +167,15 @@ class Window:
         draw()
         imgui.end()
 
+    def text_column(self) -> None:
+        if self.session.current.id.startswith(BOARD):
+            self.board.draw(self.values)
+        else:
+            text_panel.draw(self)
+
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = controls.height(self.session.current.values.values(), room.x)
+        below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
         if self.own.fault:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
@@ -168,11 +191,18 @@ class Window:
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
         tall = 1.35 if isinstance(self.session.plot, Ledger) else 1.05  # its rows need the room
-        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * room.x)))
+        if EDITED in self.values and not self.plot.follows:
+            imgui.text_disabled("This plot is of the course, not of your text.")
+        # the width without a scroll bar: else the bar would take room from the plot, go, come back, for ever
+        width = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x
+        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * width)))
         imgui.spacing()
         try:
+            if self.session.current.id.startswith(BOARD):
+                self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
+            leave_panel.draw(self)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
 
@@ -189,10 +219,14 @@ class Window:
             self.message = f"copied: {self.session.state}"
         elif key == "t":
             self.set_theme(THEME_ORDER[(THEME_ORDER.index(self.theme.name) + 1) % len(THEME_ORDER)])
+        elif key == "b":
+            break_panel.press(self)
         elif key == "f":
             self.session.freeze(not self.session.frozen)
         elif key == "p":
             self.session.show_plot(self.session.visit.plot + 1)
+        elif key == "e":
+            self.editor.toggle()
         elif key == "?":
             self.show_help = not self.show_help
 
@@ -238,11 +272,21 @@ class Window:
         except Usage as problem:
             self.message = str(problem)
 
+    def brush(self, at: dict[str, float] | None) -> None:
+        """Another point is picked: these angles make its normal the picked one."""
+        if at is None:
+            self.message = "No light reaches that point, so there is nothing to take apart."
+        else:
+            self.message = ""
+            self.stand(at)
+
     def open_link(self, target: str) -> None:
         """A link of the prose: it sets values, leads to a step, or opens in the browser."""
         try:
             if target.startswith("?"):
                 self.session.apply(target)
+            elif target.startswith(CODE):
+                self.editor.open(target.removeprefix(CODE))
             elif target.startswith(("http://", "https://")):
                 webbrowser.open(target)
             else:
@@ -257,12 +301,17 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        return {**self.session.values, **self.own.data}
+        key = self.session.current.id, self.session.revision
+        if self.derived[0] != key:
+            self.derived = key, self.session.current.derived(self.session.values)
+        return {**self.session.values, **self.derived[1], **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
         if self.figures[0] != key:
-            self.figures = key, numbers(self.session.current.step, self.values, self.ctx)
+            if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
+                self.measured.clear()
+            self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)
             self.ctx.screen.use()
         return self.figures[1]
 

@@ -20,9 +20,9 @@ vec3 lobe_direction(vec2 st, vec3 peak, float width) {
     return vec3(d.xy, max(d.z, 1e-4)); // the rim is still lit and seen
 }
 
-float lobe_radius(float value, float largest, float decades) {
-    // The length of a lobe that is 1 where the value is `largest`; 0 decades is linear, else so many powers of ten
+float lobe_radius(float value, float largest, float powers) {
+    // The length of a lobe that is 1 where the value is `largest`; 0 powers is linear, else so many powers of ten
     // below the largest reach the middle.
     float share = value / largest;
-    return decades > 0.0 ? clamp(1.0 + log(max(share, 1e-30)) / (2.302585093 * decades), 0.0, 1.0) : max(share, 0.0);
+    return powers > 0.0 ? clamp(1.0 + log(max(share, 1e-30)) / (2.302585093 * powers), 0.0, 1.0) : max(share, 0.0);
 }

@@ -1,3 +1,4 @@
+#include "core/constants.glsl"
 #include "optics/facets.glsl"
 #include "optics/fresnel.glsl"
 #include "optics/geometry_term.glsl"
@@ -21,4 +22,14 @@ float mirror_gain(float theta, float f0) {
     // The Cook - Torrance Model (2), in the mirror direction over head-on
     float cosine = cos(theta);
     return f_schlick(cosine, f0) / (f0 * cosine * cosine);
+}
+
+float denominator(float n_dot_l, float n_dot_v) {
+    // The Cook - Torrance Model (2), with 1/4
+    return 4.0 * n_dot_l * n_dot_v;
+}
+
+float denominator_printed(float n_dot_l, float n_dot_v) {
+    // The Cook - Torrance Model (2), as printed, with 1/pi
+    return PI * n_dot_l * n_dot_v;
 }

@@ -54,5 +54,6 @@ float albedo_body(float theta_v, float rho, float f0, int coupling) {
 
 float albedo_coated(float theta_v, float rho, float f0, int coupling) {
     // D13 of the optics reference: the mirror of a smooth coat, and the body
-    return f_schlick(cos(theta_v), f0) + albedo_body(theta_v, rho, f0, coupling);
+    float s = sin(0.5 * theta_v), less = min(2.0 * s * s, 1.0), x2 = less * less; // 1 - n.v
+    return f0 + (1.0 - f0) * x2 * x2 * less + albedo_body(theta_v, rho, f0, coupling);
 }

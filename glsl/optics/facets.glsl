@@ -6,7 +6,8 @@
 
 float facet_slope(int index, float m, int facets) {
     // Beckmann's distribution at the quantile (index + 1/2) / facets
-    return m * sqrt(-log_one_less((float(index) + 0.5) / float(facets)));
+    float share = (float(index) + 0.5) / float(facets), rest = (float(facets - index) - 0.5) / float(facets);
+    return m * sqrt(-(share < 0.5 ? log_one_less(share) : log(rest)));
 }
 
 vec3 facet_normal(int index, float m, int facets) {
@@ -31,7 +32,7 @@ float facets_lit(float theta_l, float theta_v, float phi, float m, float half_an
 
 float halfway_angle(float theta_l, float theta_v, float phi) {
     // The Blinn Model: between n and h
-    vec3 s = light_direction(theta_l, phi) + view_direction(theta_v);
+    vec3 s = light_and_view(theta_l, theta_v, phi);
     return arctan2(length(s.xy), s.z);
 }
 
@@ -43,7 +44,7 @@ float d_near(float theta_l, float theta_v, float phi, float m, float half_angle,
 
 float d_halfway(float theta_l, float theta_v, float phi, float m) {
     // Distribution Term (2): Beckmann's at h
-    return d_beckmann(vec3(0.0, 0.0, 1.0), light_direction(theta_l, phi) + view_direction(theta_v), m);
+    return d_beckmann(vec3(0.0, 0.0, 1.0), light_and_view(theta_l, theta_v, phi), m);
 }
 
 float d_counted(float theta_h, float m, float half_angle, int facets) {

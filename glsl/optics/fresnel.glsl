@@ -34,6 +34,13 @@ float f_dielectric(float l_dot_h, float eta) {
     return 0.5 * (f_dielectric_s(l_dot_h, eta) + f_dielectric_p(l_dot_h, eta));
 }
 
+float f_dielectric_naive(float l_dot_h, float eta) {
+    // Fresnel 1823 with Snell's law: the root of a negative number in total reflection
+    float c = l_dot_h, g = sqrt(1.0 - (1.0 - c * c) / (eta * eta));
+    float s = (c - eta * g) / (c + eta * g), p = (eta * c - g) / (eta * c + g);
+    return 0.5 * (s * s + p * p);
+}
+
 float t_dielectric(float l_dot_h, float eta) {
     // Fresnel 1823: the share that enters; a product, where 1 - F would cancel
     float c = l_dot_h, g2 = far_cosine_squared(c, eta);

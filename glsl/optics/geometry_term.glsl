@@ -4,7 +4,7 @@
 
 vec4 half_cosines(float theta_l, float theta_v, float phi) {
     // n.h, n.v, n.l and l.h of directions given by angles
-    vec3 s = direction(theta_l, phi) + direction(theta_v, 0.0);
+    vec3 s = light_and_view(theta_l, theta_v, phi);
     float size = length(s);
     return vec4(size > 0.0 ? max(s.z, 0.0) / size : 1.0, max(cos(theta_v), 0.0), max(cos(theta_l), 0.0), 0.5 * size);
 }

@@ -12,7 +12,7 @@ float facet_lean(vec3 n, vec3 h) {
 
 float groove_lean(vec3 n, vec3 h, vec3 v) {
     // Blinn 1977: a direction as one sees it along the groove
-    vec3 t = h - dot(n, h) * n;
+    vec3 t = cross(n, cross(h - n, n)); // at right angles to n also where h is nearly n
     return arctan2(dot(v, t), length(t) * dot(v, n));
 }
 

@@ -118,8 +118,8 @@ float ies_towards(sampler2D table, vec3 way, float turn, float aim) {
 
 float ies_illuminance(sampler2D table, vec3 way, vec3 normal, float turn, float aim) {
     // Units for Lighting: I cos / r^2
-    float r = length(way);
-    return ies_towards(table, way, turn, aim) * max(0.0, -dot(way, normal)) / (r * r * r);
+    float r = length(way), facing = -dot(way, normal);
+    return facing > 0.0 ? ies_towards(table, way, turn, aim) * facing / (r * r * r) : 0.0;
 }
 
 float ies_room_illuminance(sampler2D table, float height, float setback, float turn, float aim, float meter_x, float meter_s) {

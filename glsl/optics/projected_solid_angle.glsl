@@ -1,4 +1,5 @@
 #include "core/constants.glsl"
+#include "core/disk.glsl"
 #include "core/angle.glsl"
 #include "optics/solid_angle_flat.glsl"
 
@@ -38,9 +39,8 @@ float projected_solid_angle_sphere_naive(float radius, float distance, float the
 
 float projected_solid_angle_disk(float radius, float height, float offset) {
     // Howell, configuration factor of a parallel disk, multiplied out
-    float z = height * height + (offset - radius) * (offset + radius), s = length(vec2(z, 2.0 * radius * height));
-    if (z > 0.0) return 2.0 * PI * (radius * height / s) * (radius * height / (s + z));
-    return 0.5 * PI * (s - z) / s;
+    vec2 seen = parallel_disk(radius, height, offset);
+    return seen.x * seen.y;
 }
 
 float projected_solid_angle_disk_naive(float radius, float height, float offset) {

@@ -1,4 +1,5 @@
 #include "core/constants.glsl"
+#include "core/disk.glsl"
 #include "optics/solid_angle.glsl"
 #include "optics/projected_solid_angle.glsl"
 #include "optics/square_patch.glsl"
@@ -66,7 +67,8 @@ float irradiance_sphere(float radiance, float radius, float distance, float thet
 
 float irradiance_disk(float radiance, float radius, float height, float offset) {
     // Howell, B-12: radiance times projected solid angle
-    return radiance * projected_solid_angle_disk(radius, height, offset);
+    vec2 seen = parallel_disk(radius, height, offset);
+    return radiance * seen.x * seen.y;
 }
 
 float irradiance_round_far(float radiance, float radius, float distance) {
@@ -101,7 +103,7 @@ float radiant_flux_sensor(float radiance, float patch_area, float half_angle, fl
 
 float radiant_energy_sensor(float radiance, float patch_area, float half_angle, float theta, float duration) {
     // Basic Radiometric Quantities (1): flux times time
-    return radiant_flux_sensor(radiance, patch_area, half_angle, theta) * duration;
+    return radiant_flux_sensor(radiance * duration, patch_area, half_angle, theta);
 }
 
 float radiance_sensor_projected(float radiance, float patch_area, float half_angle, float theta) {

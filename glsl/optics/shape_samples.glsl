@@ -43,7 +43,7 @@ float sample_flux(int light_shape, float radiance, float light_x, float light_y,
 float sample_share(vec3 to_sample) {
     // Light Contribution of Area Lights (1): n.l / r^3, what a sample gives per area, radiance and distance to its plane
     float r2 = dot(to_sample, to_sample);
-    return max(to_sample.z, 0.0) / (r2 * r2);
+    return to_sample.z > 0.0 ? to_sample.z / (r2 * r2) : 0.0;
 }
 
 vec4 sphere_piece(vec3 to_light, float radius, int sampling, float s, float t) {
@@ -56,7 +56,8 @@ vec4 sphere_piece(vec3 to_light, float radius, int sampling, float s, float t) {
         vec2 p = concentric_disk(s, t);
         float h = d - radius, r2 = dot(p, p), low = h / d * r2, away = h * h + 2.0 * radius * h * r2; // low = 1 - cos
         p *= radius * sqrt(h / d * (2.0 - low));
-        float weight = 2.0 * PI * (radius / away) * (radius / sqrt(away)) * (h / d) * (h * max(1.0 - r2, 0.0));
+        float rim = min(min(s, 1.0 - s), min(t, 1.0 - t)); // 1 - r2 = 4 rim (1 - rim)
+        float weight = 8.0 * PI * (radius / away) * (radius / sqrt(away)) * (h / d) * (h * rim * (1.0 - rim));
         return vec4(w * (h + radius * low) + aside * p.x + across * p.y, weight);
     }
     float q = d > radius ? radius / d : 1.0, wide = d > radius ? q * q / (1.0 + sqrt((1.0 - q) * (1.0 + q))) : 2.0;

@@ -25,6 +25,12 @@ vec3 view_direction(float theta_v) {
     return vec3(sin(theta_v), 0.0, cos(theta_v));
 }
 
+vec3 light_and_view(float theta_l, float theta_v, float phi) {
+    // The Blinn Model: l + v along h; sums of sines as products, for l and v on opposite sides
+    float turn = cos(0.5 * phi), aside = cos(0.5 * (theta_v + theta_l)) * sin(0.5 * (theta_v - theta_l));
+    return vec3(2.0 * (aside + sin(theta_l) * turn * turn), sin(theta_l) * sin(phi), cos(theta_l) + cos(theta_v));
+}
+
 vec3 fibonacci_direction(int index, int samples) {
     // Swinbank and Purser 2006, Fibonacci grids; the golden turn in 32-bit integers, where it cannot round
     float turn = float(int(uint(index) * 2654435769u)) / 4294967296.0; // -1/2 .. 1/2

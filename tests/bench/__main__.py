@@ -63,13 +63,26 @@ def digits():
     return measure()
 
 
+def studies():
+    from tests.bench.studies import studies as measure
+
+    return measure()
+
+
 def window():
     from tests.bench.window import window as measure
 
     return measure()
 
 
-GROUPS = {measure.__name__: measure for measure in (commands, frames, plots, window, points, badges, digits)}
+def grading():
+    from tests.bench.grading import grading as measure
+
+    return measure()
+
+
+GROUPS = {measure.__name__: measure
+          for measure in (commands, frames, plots, window, points, badges, digits, studies, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -10,7 +10,6 @@ class Twin:
     function: str
     inputs: dict[str, str] = field(default_factory=dict)  # name of an input -> argument; itself where it is not named
     fixed: dict[str, Number] = field(default_factory=dict)  # arguments the record does not carry
-    fixed: dict[str, float] = field(default_factory=dict)  # arguments the record does not carry
     degrees: tuple[str, ...] = ()  # inputs that the record has in degrees
 
 

@@ -1,0 +1,121 @@
+"""What a step's page carries, as plain data: its scene as texts for WebGL2, its values, twins, plots and question."""
+
+import math
+
+import numpy as np
+
+from app import meshes, tables
+from app.badges import SHORT, of_model, told
+from app.catalog import LoadedStep, ValueSpec
+from app.export.web.figures import plot
+from app.export.web.texts import Data, Twins, deflated, packed, scene
+from app.gpu.stage_text import COLOURS, look
+from app.lesson import Model, Readout
+from app.mesh_edges import corner_normals, shared_corners
+from app.optics import arguments
+from app.prediction import truth_values
+from app.quantities import FROM_ANGLES, shown
+from app.readouts import ROUNDING, SUMS
+from app.spoken import said, words
+from app.state import defaults
+from app.theme import THEMES, Theme, colour, rgb
+
+QUIET = "#5D6574"  # small words on the light theme's panel: 4.5 to 1
+
+
+def content(found: LoadedStep) -> Data:
+    """All of a step that the player plays; what needs OpenGL (its poster) is not here."""
+    step, twins = found.step, Twins()
+    data: Data = {
+        "step": found.id, "title": step.title,
+        "values": [value(spec) for spec in found.values.values()],
+        "scene": scene(step.scene, found.file_name, found.glsl_line),
+        "readouts": [readout(one, twins) for one in step.readouts],
+        "plots": [plot(one, found, twins) for one in step.plots],
+        "ask": question(found, twins),
+        "badges": [badges(model, defaults(found)) for model in step.models],
+        "themes": {name: themed(theme) for name, theme in THEMES.items()},
+    }
+    return data | {"twins": twins.found} | constants(found)
+
+
+def readout(one: Readout, twins: Twins) -> Data:
+    """`nothing`: of that size a signed sum is 0, but for rounding in float32."""
+    nothing = 8 * ROUNDING["float32"] * SUMS.get(one.term.function, 0.0)
+    return {"label": one.label, "term": twins.term(one.term), "role": one.role, "unit": one.unit,
+            "against": one.against, "absent": one.absent, "nothing": nothing}
+
+
+def value(spec: ValueSpec) -> Data:
+    low, high = shown(spec.name, spec.low), shown(spec.name, spec.high)
+    return {"name": spec.name, "label": said(spec.name) if spec.choices else words(spec.name),
+            "words": spec.quantity.words, "unit": spec.quantity.screen_unit, "angle": spec.quantity.is_angle,
+            "whole": spec.quantity.kind == "int", "default": spec.default, "low": spec.low, "high": spec.high,
+            "shown": [low, high], "log": spec.scale == "log", "more": spec.more, "choices": spec.choices}
+
+
+def question(found: LoadedStep, twins: Twins) -> Data:
+    ask = found.step.ask
+    choices = [{"text": c.text, "low": bounded(c.low), "high": bounded(c.high)} for c in ask.choices]
+    return {"question": ask.question, "unit": ask.unit, "told": ask.told, "low": ask.low, "high": ask.high,
+            "log": ask.scale == "log", "choices": choices, "truth": twins.term(ask.truth),
+            "values": truth_values(found), "sets": bool(ask.sets)}
+
+
+def bounded(x: float) -> float:
+    """JSON has no infinity."""
+    return x if math.isfinite(x) else math.copysign(1e300, x)
+
+
+def badges(model: Model, values: dict) -> Data:
+    """A model's badges at these values (float64), and the names of the values they would change with."""
+    used = [name for name in model_values(model) if name in values]
+    return {"label": model.label, "ink": model.colour, "depends": used, "found": [
+        {"short": SHORT[name], "ok": badge.ok, "told": told(name, badge)}
+        for name, badge in of_model(model, values).items()]}
+
+
+def model_values(model: Model) -> list[str]:
+    term = model.term
+    named = [term.args.get(name, name) for name in arguments(term.function)]
+    return [name for name in named if isinstance(name, str) and name not in FROM_ANGLES]
+
+
+def themed(theme: Theme) -> Data:
+    """The theme for the shaders (linear light) and for the page (sRGB)."""
+    seen = look(theme)
+    names = (*COLOURS, "background", "panel", "foreground")
+    css = {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}
+    return {"line": theme.line, "linear": rounded(seen["background"]), "srgb": rgb(theme.background),
+            "palette": rounded(np.frombuffer(seen["palette"], "f4")),
+            "stops": rounded(np.frombuffer(seen["colormap_stops"], "f4")),
+            "css": css | ({"quiet": QUIET} if theme.name == "light" else {})}
+
+
+def rounded(numbers) -> list[float]:
+    """float32 numbers in as many digits as they need."""
+    return [float(f"{x:.9g}") for x in np.asarray(numbers, float).ravel()]
+
+
+def constants(found: LoadedStep) -> Data:
+    """The step's meshes and tables as base64: corners and the triangles between them, rows and columns."""
+    one = found.step.scene
+    carried: Data = {"meshes": [], "tables": []}
+    if any(surface.mesh for surface in one.surfaces):
+        carried["meshes"] = [mesh(meshes.built_in(name).triangles, "corner_normal(" in one.glsl)
+                             for name in one.meshes]
+    for table in one.tables:
+        files = [np.ascontiguousarray(tables.built_in(name).table, "f4") for name in table.files]
+        carried["tables"].append({"uniform": table.uniform, "choice": table.choice, "files": [
+            {"rows": t.shape[0], "columns": t.shape[1], "numbers": packed(t)} for t in files]})
+    return carried
+
+
+def mesh(triangles: np.ndarray, normals: bool) -> Data:
+    """Corners and faces, deflated; with normals (16 bits a number) a corner counts once for each normal it has."""
+    place = shared_corners(triangles).ravel()
+    turned = np.round(corner_normals(triangles).reshape(-1, 3) * 32767).astype("i2")
+    key = np.column_stack([place, turned]) if normals else place[:, None]
+    _, first, faces = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    found = {"corners": deflated(triangles.reshape(-1, 3)[first].astype("f4")), "faces": deflated(faces.astype("u2"))}
+    return found | ({"normals": deflated(turned[first])} if normals else {})

@@ -1,0 +1,78 @@
+"""The index of exported pages: outline, search, and each step live where one looks. Pages are frames that come and go,
+because a browser keeps at most 16 WebGL contexts alive."""
+
+import json
+from html import escape
+
+from app import prose
+from app.catalog import LoadedStep
+from app.export.markup import anchor
+from app.export.web.page import file_of, policy, text_of
+
+
+def page(done: list[LoadedStep], posters: bool) -> str:
+    script = text_of("index.js")
+    chapters = {found.loaded.id: found.chapter for found in done}
+    body = "".join(section(id, chapter.title, chapter.idea, [f for f in done if f.loaded.id == id], posters)
+                   for id, chapter in chapters.items())
+    outline = "".join(f'<li><a href="#{anchor(id)}">{escape(chapter.title)}</a></li>'
+                      for id, chapter in chapters.items())
+    found = json.dumps({anchor(f.id): searched(f) for f in done}, ensure_ascii=False).replace("</", r"<\/")
+    rules = policy([script]).replace("img-src data:", "img-src 'self' data: file:").replace(
+        "base-uri", "frame-src 'self' file:; base-uri")
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{escape(rules)}">
+<title>Halfway: the course in local shading that you can touch</title>
+<style>
+{text_of("index.css")}
+</style>
+</head>
+<body>
+<header><h1>Halfway</h1><p class="lead">The course in local shading that you can touch: {len(done)} steps, each a page
+of its own that needs no network.</p>
+<label class="search">Search
+<input id="search" type="search" autocomplete="off" placeholder="solid angle, Fresnel, lux …"></label>
+<p id="hits" role="status"></p><nav aria-label="Chapters"><ol>{outline}</ol></nav></header>
+<main>{body}</main>
+<footer>{SLIDES}</footer>
+<script type="application/json" id="texts">{found}</script>
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+def section(id: str, title: str, idea: str, steps: list[LoadedStep], posters: bool) -> str:
+    cards = "".join(card(found, posters) for found in steps)
+    return (f'<section id="{anchor(id)}"><h2>{escape(title)}</h2><p class="lead">{escape(idea)}</p>'
+            f'<div class="cards">{cards}</div></section>')
+
+
+def card(found: LoadedStep, posters: bool) -> str:
+    name, step = anchor(found.id), found.step
+    still = f'<img src="{name}.png" alt="" loading="lazy" width="1280" height="720">' if posters else ""
+    return (f'<article id="card-{name}" data-page="{file_of(found.id)}"><div class="view">{still}</div>'
+            f'<h3><a href="{file_of(found.id)}">{escape(step.title)}</a></h3><p>{escape(step.idea)}</p></article>')
+
+
+def searched(found: LoadedStep) -> str:
+    """What the search looks at: title, idea, slides, prose and the chapter's glossary word for this step."""
+    step = found.step
+    text = " ".join((step.title, step.idea, *step.slides, step.prose, step.ask.question, found.chapter.title))
+    return " ".join(prose.FORMULA.sub(" ", text).split()).casefold()
+
+
+SLIDES = """<details><summary>Put a page beside your slides</summary>
+<p>A page works in a frame, from a file, sandboxed too. Add a state after <code>?</code>, and <code>#scene</code> for
+the scene with its sliders alone (also <code>#scene,light</code> or <code>#scene,projector</code>).</p>
+<ul><li>reveal.js: <code>&lt;iframe data-src="solid_angle-patch.html?tilt=30#scene"&gt;&lt;/iframe&gt;</code></li>
+<li>Quarto: the same with <code>data-external="1"</code>, the pages beside the deck.</li>
+<li>PowerPoint, Google Slides, PDF: the PNG of the same name.</li></ul>
+<p>Escape gives the keys back to the deck. <code>postMessage</code> to the frame: <code>{halfway: "set", state:
+"tilt=30"}</code>, <code>{halfway: "get"}</code> and <code>{halfway: "snapshot"}</code>; it answers with
+<code>{halfway: "state", step, state, values, numbers}</code> and <code>{halfway: "snapshot", png}</code>, tells
+<code>{halfway: "ready"}</code> once and its state after each change.</p></details>"""

@@ -1,0 +1,70 @@
+"""GLSL and numbers as a page carries them: a scene's programs, the twins it calls, arrays as base64. Pure text."""
+
+import base64
+import zlib
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from app import shader
+from app.export.corners import entries
+from app.gpu.evaluate import find, point_program
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, programs
+from app.lesson import Scene, Term
+from app.optics import arguments
+
+Data = dict[str, Any]
+CAREFUL = {"careful": shader.Source(Path(__file__).with_name("careful.glsl").read_text("utf-8"), "careful.glsl")}
+
+
+@dataclass
+class Twins:
+    """The GLSL functions a page calls, each once."""
+
+    found: dict[str, Data] = field(default_factory=dict)
+
+    def term(self, term: Term) -> Data:
+        """A term with its arguments in order: the name of a value, or numbers."""
+        self.add(term.function)
+        return {"function": term.function, "args": [term.args.get(name, name) for name in arguments(term.function)]}
+
+    def add(self, function: str) -> None:
+        if function in self.found:
+            return
+        include, signature = find(function, None)
+        source, _, fixed = point_program(signature, include, None)
+        text = shader.assemble(f'#include "careful"\n{source}', function, header=shader.WEB, overrides=CAREFUL).text
+        self.found[function] = {"text": squeezed(text), "returns": signature.returns, "args": [
+            {"name": arg.name, "type": arg.type, "fixed": arg in fixed} for arg in signature.args]}
+
+
+def squeezed(text: str) -> str:
+    """Without empty lines; the remarks stay, because a student reads the page's source too."""
+    return "\n".join(line for line in text.split("\n") if line.strip()) + "\n"
+
+
+def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
+    """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
+    texts = programs(one, file, first, shader.WEB)
+    return {
+        "programs": {name: [squeezed(part.text) if part else "" for part in pair] for name, pair in texts.items()},
+        "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh} for s in one.surfaces],
+        "marks": [{"colour": COLOURS.index(m.colour), "ink": m.colour, "line": LINES.index(m.line),
+                   "tip": TIPS.index(m.tip), "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width,
+                   "label": m.label, "label_at": m.label_at} for m in one.marks],
+        "dots": asdict(one.dots) if one.dots else None,
+        "labels": [{"text": label.text, "probe": label.probe, "ink": label.colour} for label in one.labels],
+        "handles": [asdict(handle) for handle in one.handles],
+        "camera": asdict(one.camera),
+        "legend": [{"words": e.words, "ink": e.mark.colour if e.mark else e.colour} for e in entries(one)],
+    }
+
+
+def packed(numbers: np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(numbers).tobytes()).decode()
+
+
+def deflated(numbers: np.ndarray) -> str:
+    return base64.b64encode(zlib.compress(np.ascontiguousarray(numbers).tobytes(), 9)).decode()

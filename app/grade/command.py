@@ -1,0 +1,215 @@
+"""`halfway grade`: a folder of submissions against an assignment; marks.csv, and a result.json a student."""
+
+import argparse
+import csv
+import hashlib
+import io
+import os
+import sys
+from pathlib import Path
+
+from app import VERSION
+from app.grade import intake, work
+from app.grade.assignment import Assignment, load
+from app.grade.executor import DaskExecutor, Executor, LocalExecutor
+from app.grade.level import LEVELS, MEANING
+from app.grade.store import Store, as_bytes, durable, key_of
+from app.problem import Problem, Usage
+
+ATTEMPTS = 3
+COLUMNS = ("student", "points", "max_points", "status")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("assignment", metavar="ASSIGNMENT", help="its name, or its TOML file")
+    parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of files, folders, zip or tar archives")
+    parser.add_argument("-o", "--output", metavar="RESULTS", required=True, help="the folder for marks.csv and more")
+    parser.add_argument("--jobs", metavar="N", type=int, default=0, help="submissions at a time; one a processor core")
+    parser.add_argument("--scheduler", metavar="ADDRESS", default="", help="a Dask cluster: tcp://HOST:8786")
+    parser.add_argument("--seed", metavar="S", default="", help="of the hidden points; else a secret of its own")
+    parser.add_argument("--resume", action="store_true", help="go on in RESULTS: what is graded stays")
+    parser.add_argument("--level", metavar="L1", default="", help=f"of isolation, not the highest: {', '.join(LEVELS)}")
+
+
+def run(options: argparse.Namespace) -> int:
+    assignment = load(options.assignment)
+    if options.level and options.level not in LEVELS:
+        raise Usage(f"there is no level {options.level}; there are {', '.join(LEVELS)}.")
+    if options.jobs < 0:
+        raise Usage(f"--jobs {options.jobs}: at least one submission at a time.")
+    work.timed_texts(assignment)
+    handed_in = intake.students(options.submissions)
+    results = Path(options.output).expanduser()
+    executor: Executor = DaskExecutor(options.scheduler) if options.scheduler else LocalExecutor(
+        options.jobs or cores())
+    try:
+        machine = the_machine(executor, options.level)
+        store = Store(results, options.resume, options.seed)
+        try:
+            return Class(assignment, handed_in, executor, store, machine, results, options.level).grade()
+        finally:
+            store.close()
+    finally:
+        executor.close()
+
+
+def cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def the_machine(executor: Executor, named: str) -> dict:
+    """What the workers are, found by their own self-test; below L2 only by name."""
+    executor.submit(work.described, {"named": named})
+    _, facts = next(executor.as_completed())
+    if facts is None:
+        raise Problem("no worker could say what it is; is the cluster running?")
+    if "error" in facts:
+        raise Problem(facts["error"])
+    if not facts["safe"] and not named:
+        raise Problem(f"submissions are isolated at {facts['level']} only here ({MEANING[facts['level']]}), because "
+                      f"{facts['why']}. For texts you trust, say --level {facts['level']}.")
+    return facts
+
+
+class Class:
+    """All submissions of one run."""
+
+    def __init__(self, assignment: Assignment, handed_in: dict[str, list[Path]], executor: Executor, store: Store,
+                 machine: dict, results: Path, named: str) -> None:
+        self.assignment, self.handed_in, self.executor, self.store = assignment, handed_in, executor, store
+        self.machine, self.results, self.named = machine, results, named
+        self.keys: dict[str, str] = {}
+        self.facts: dict[str, dict] = {}  # student -> the submission's part of result.json
+        self.bodies: dict[str, dict] = {}
+
+    def grade(self) -> int:
+        jobs: dict[str, dict] = {}
+        for student, entries in self.handed_in.items():
+            job = self.job(student, entries)
+            key = self.keys[student] = job["key"]
+            if key in self.bodies or key in jobs:
+                continue
+            body = self.store.get(key)
+            if body is None:
+                jobs[key] = job
+            else:
+                self.bodies[key] = body
+        for job in jobs.values():
+            self.executor.submit(work.grade, job)
+        with Watch(len(self.bodies) + len(jobs), self) as advance:
+            try:
+                self.collect(work.grade, advance)
+            except KeyboardInterrupt:
+                self.executor.cancel()
+                print("halfway: what is running is brought to its end; --resume goes on from there.", file=sys.stderr)
+                self.collect(None, advance)
+                self.write()
+                raise
+        self.write()
+        self.tell()
+        return 1 if self.counts["ungraded"] else 0
+
+    def job(self, student: str, entries: list[Path]) -> dict:
+        submission = intake.read(student, entries)
+        self.facts[student] = {"hash": submission.hash, "student_id": student, "files": [
+            {"name": name, "bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
+            for name, data in sorted(submission.files.items())]}
+        same = {"hash": submission.hash, "digest": self.assignment.digest, "level": self.machine["level"],
+                "fingerprint": self.machine["fingerprint"], "seed": self.store.seed}
+        return {"key": key_of(**same, grader=VERSION), "student": student, "named": self.named, **same,
+                "entries": [str(entry.resolve()) for entry in entries], "assignment": str(self.assignment.file)}
+
+    def collect(self, again, advance) -> None:
+        """Results as they come; what could not be graded is tried again, twice."""
+        for job, answer in self.executor.as_completed():
+            body = answer["body"] if answer else {"verdict": "ungraded", "why": "the worker was lost", "tests": []}
+            tried = job.get("tried", 0) + 1
+            self.store.put(job["key"], body, {"attempt": tried, **(answer["side"] if answer else {})})
+            if body["verdict"] == "ungraded" and tried < ATTEMPTS and again:
+                self.executor.submit(again, {**job, "tried": tried})
+                continue
+            self.bodies[job["key"]] = body
+            advance()
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Of students, not of texts: the same text may have been handed in twice."""
+        found = {"passed": 0, "failed": 0, "ungraded": 0}
+        for key in self.keys.values():
+            if key in self.bodies:
+                found[{"pass": "passed", "ungraded": "ungraded"}.get(self.bodies[key]["verdict"], "failed")] += 1
+        return found
+
+    def write(self) -> None:
+        """marks.csv and every result.json, from what is known; the same bytes whatever way it became known."""
+        bodies = {student: self.bodies.get(key, {"verdict": "ungraded", "why": "not graded yet", "tests": []})
+                  for student, key in self.keys.items()}
+        sharing: dict[str, list[str]] = {}
+        for student, key in self.keys.items():
+            sharing.setdefault(key, []).append(student)
+        grader = {"version": VERSION, **{name: self.machine[name] for name in ("fingerprint", "level", "renderer")},
+                  "unsandboxed": not self.machine["safe"], "self_test": self.machine["self_test"]}
+        seed = hashlib.sha256(self.store.seed.encode()).hexdigest()[:16]
+        for student, body in bodies.items():
+            whole = {**body, "submission": self.facts[student], "grader": grader,
+                     "seed": {"public": "public", "hidden_hash": seed},
+                     "same_as": [other for other in sorted(sharing[self.keys[student]]) if other != student]}
+            durable(self.results / "students" / folder_of(student) / "result.json", as_bytes(whole))
+        durable(self.results / "marks.csv", marks(bodies, self.assignment.points))
+
+    def tell(self) -> None:
+        words = ", ".join(f"{count} {name}" for name, count in self.counts.items())
+        level = self.machine["level"]
+        print(f"{len(self.keys)} submissions: {words}. Isolation {level}: {MEANING[level]}."
+              + ("" if self.machine["safe"] else " UNSANDBOXED."))
+        print(f"Marks are in {self.results / 'marks.csv'}, each student's result below {self.results / 'students'}.")
+
+
+def folder_of(student: str) -> str:
+    """A folder's name for a student, safe on every system; the name itself where it is plain."""
+    plain = "".join(c if c.isalnum() or c in " -_.@+" else "_" for c in student).rstrip(". ")
+    return plain if plain == student else f"{plain[:80]}-{hashlib.sha256(student.encode()).hexdigest()[:8]}"
+
+
+def marks(bodies: dict[str, dict], most: float) -> bytes:
+    """RFC 4180, and no cell that a spreadsheet would take for a formula."""
+    out = io.StringIO()
+    table = csv.writer(out, lineterminator="\r\n")
+    table.writerow(COLUMNS)
+    for student in sorted(bodies):
+        body = bodies[student]
+        score = "" if body.get("score") is None else f"{body['score']:.6g}"
+        table.writerow([cell(student), score, f"{most:.6g}", body["verdict"]])
+    return out.getvalue().encode()
+
+
+def cell(text: str) -> str:
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
+
+
+class Watch:
+    """A bar on stderr with counts of passed, failed, ungraded, where there is a terminal."""
+
+    def __init__(self, total: int, of: Class) -> None:
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+        console = Console(stderr=True)
+        self.of = of
+        columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[counts]}"),
+                   TimeRemainingColumn())
+        self.bar = Progress(*columns, console=console, disable=not console.is_terminal)
+        self.task = self.bar.add_task("grading", total=total, completed=len(of.bodies), counts=self.words())
+
+    def words(self) -> str:
+        return "  ".join(f"{name} {count}" for name, count in self.of.counts.items())
+
+    def __enter__(self):
+        self.bar.start()
+        return self.advance
+
+    def advance(self) -> None:
+        self.bar.update(self.task, advance=1, counts=self.words())
+
+    def __exit__(self, *error) -> None:
+        self.bar.stop()

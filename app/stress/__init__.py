@@ -1,0 +1,1 @@
+"""Stability: every twin over its extremes, every scene over the corners of its sliders."""

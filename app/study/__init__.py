@@ -1,0 +1,1 @@
+"""Error against run time: the studies that lessons declare, measured, told and drawn (`halfway study`)."""

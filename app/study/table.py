@@ -1,0 +1,61 @@
+"""A record as a table a person can read, and as JSON."""
+
+from app.plots.ticks import number
+from app.readouts import duration
+from app.study.record import TOLERANCES, Line, Record
+
+HEADS = ("method", *(f"to {number(tolerance)}" for tolerance in TOLERANCES), "order in N", "best", "")
+
+
+def table(record: Record) -> str:
+    """The times to reach each tolerance, the fitted order with its spread, the smallest error, what failed silently."""
+    rows = [HEADS, *(row(line) for line in record.lines)]
+    widths = [max(len(one[i]) for one in rows) for i in range(len(HEADS) - 1)]
+    lines = ["  ".join([one[0].ljust(widths[0]), *(cell.rjust(wide) for cell, wide in
+                                                   zip(one[1:-1], widths[1:], strict=True)), one[-1]]).rstrip()
+             for one in rows]
+    return "\n".join([f"{record.name}: {record.title}", *("  " + line for line in lines), "  " + wins(record)])
+
+
+def row(line: Line) -> tuple[str, ...]:
+    if not line.points:
+        return line.label, *("-",) * (len(HEADS) - 2), line.stopped
+    if line.reference:
+        at = duration(1e3 * line.points[-1].time)
+        return line.label, at, at, at, "", "exact", ""
+    reached = [duration(1e3 * point.time) if (point := line.reach(t)) else "did not reach" for t in TOLERANCES]
+    order = f"{line.order[0]:.2f} ± {line.order[1]:.2f}" if line.order else ""
+    best = min(point.error for point in line.points)
+    silent = f"silent: {line.silent[-1].words}" if line.silent else ""
+    return line.label, *reached, order, number(float(f"{best:.0e}")), silent
+
+
+def wins(record: Record) -> str:
+    """Who wins where, in a line."""
+    found = []
+    for tolerance in TOLERANCES:
+        winner = record.winner(tolerance)
+        words = f"{winner[0].label} ({duration(1e3 * winner[1].time)}, N = {winner[1].samples})" if winner else "nobody"
+        found.append(f"{number(tolerance)}: {words}")
+    exact = [line for line in record.lines if line.reference and line.points]
+    also = f"; the closed form needs {duration(1e3 * exact[0].points[0].time)}" if exact else ""
+    return "first to " + "; to ".join(found) + also + "."
+
+
+def as_data(record: Record) -> dict:
+    """Every point, for programs; times in seconds."""
+    return {
+        "step": record.step, "title": record.title, "case": record.case, "where": record.where,
+        "values": record.values, "exact": record.exact, "seconds": record.seconds, "seeds": record.seeds,
+        "why": record.why, "methods": [method(line) for line in record.lines]}
+
+
+def method(line: Line) -> dict:
+    reached = {f"{t:g}": point.time if (point := line.reach(t)) else None for t in TOLERANCES}
+    order = {"order": line.order[0], "order_spread": line.order[1]} if line.order else {}
+    return {
+        "label": line.label, "reference": line.reference, "random": line.random, "stopped": line.stopped,
+        "time_to": reached, **order,
+        "points": [{"rung": p.rung, "samples": p.samples, "error": p.error if p.error < float("inf") else None,
+                    "time": p.time, "quartiles": p.spread, "runs": len(p.times), "claimed_error": p.claim,
+                    "said": p.said, "silent_failure": p.words if p.silent else ""} for p in line.points]}

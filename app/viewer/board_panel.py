@@ -1,0 +1,156 @@
+"""The left column of the board: its models with their parameters, what is shown of them, and the picked point."""
+
+from dataclasses import replace
+
+from imgui_bundle import imgui
+
+from app.board import course_model
+from app.board.board_step import MOST, BoardStep, Entry, name_of, round_up
+from app.board.coated import Coated
+from app.board.merl import Merl
+from app.board.models import FIT
+from app.catalog import BOARD
+from app.problem import Problem
+from app.readouts import Number, numbers
+from app.theme import colour
+from app.viewer import controls, numbers_panel, style
+from app.viewer.text_panel import heading, question
+
+VIEW = "shows", "board_channel", "stands", "shape", "model", "light", "turned"
+LONG = 1.3  # of the ring: longer lobes are cut
+
+
+class BoardPanel:
+    def __init__(self, app) -> None:
+        self.app = app
+        self.figures: tuple[object, list[Number]] = (None, [])  # (revision, the factors at the picked point)
+        self.peak: tuple[object, float] = (None, 0.0)
+
+    @property
+    def found(self) -> BoardStep:
+        found = self.app.session.current
+        assert isinstance(found, BoardStep)
+        return found
+
+    def draw(self, values: dict) -> None:
+        heading("The board", 1.35)
+        for i, entry in enumerate(self.found.entries):
+            imgui.push_id(i)
+            self.row(i, entry)
+            imgui.pop_id()
+        self.add()
+        for entry in self.found.shown:
+            self.parameters(entry)
+        imgui.separator()
+        self.view(values)
+        if imgui.tree_node("Ask the class"):
+            question(self.app, self.found.step, self.app.theme)
+            imgui.tree_pop()
+        if imgui.tree_node("What is exact here"):
+            imgui.text_wrapped(self.found.step.honesty)
+            imgui.tree_pop()
+
+    # --- the models --------------------------------------------------------------------------------------------------
+    def row(self, i: int, entry: Entry) -> None:
+        """On or off, its colour and name, alone, away."""
+        words = [(one.word, one.on) for one in self.found.entries]
+        unit, right = imgui.get_font_size(), imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
+        shade = style.vec(colour(entry.colour, self.app.theme))
+        imgui.push_style_color(imgui.Col_.check_mark, shade)
+        imgui.begin_disabled(entry.model is None)
+        changed, on = imgui.checkbox("##on", entry.on)
+        imgui.end_disabled()
+        imgui.pop_style_color()
+        if changed:
+            self.change([(word, on if k == i else was) for k, (word, was) in enumerate(words)])
+        imgui.same_line()
+        imgui.push_style_color(imgui.Col_.text, shade)
+        imgui.text(entry.label)
+        imgui.pop_style_color()
+        if imgui.is_item_hovered():
+            imgui.set_tooltip(entry.word)
+        if entry.model and len(words) > 1:
+            imgui.same_line(right - 4.8 * unit)
+            if imgui.small_button("alone"):
+                self.change([(word, k == i) for k, (word, _) in enumerate(words)])
+        if len(words) > 1:
+            imgui.same_line(right - 1.4 * unit)
+            if imgui.small_button("×"):
+                self.change([pair for k, pair in enumerate(words) if k != i])
+        fitted = FIT + entry.word
+        if (isinstance(entry.model, Merl) and fitted not in [word for word, _ in words]
+                and imgui.small_button("compare with a fitted Cook-Torrance")):
+            self.change([*words, (fitted, sum(on for _, on in words) < MOST)])
+        if entry.fault:
+            imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("r", self.app.theme)))
+            imgui.text_wrapped(entry.fault)
+            imgui.pop_style_color()
+
+    def change(self, words: list[tuple[str, bool]]) -> None:
+        """Other models, or others of them on."""
+        if sum(on for _, on in words) > MOST:
+            self.app.message = f"The board shows {MOST} models at once; take one off first."
+            return
+        try:
+            self.app.message = ""
+            self.app.session.examine(BOARD + name_of(words))
+        except Problem as problem:
+            self.app.message = str(problem)
+
+    def add(self) -> None:
+        here = {entry.word for entry in self.found.entries}
+        offered = [name for name in (*course_model.names(), Coated.name) if name not in here]
+        imgui.set_next_item_width(-1)
+        if imgui.begin_combo("##add", "add a model, or drop a .brdf or MERL file"):
+            for name in offered:
+                if imgui.selectable(name, False)[0]:
+                    words = [(one.word, one.on) for one in self.found.entries]
+                    self.change([*words, (name, sum(on for _, on in words) < MOST)])
+            imgui.end_combo()
+
+    # --- the picked point --------------------------------------------------------------------------------------------
+    def point(self, values: dict) -> None:
+        """D, G, F and the denominator of the large ball's model, where a single one has not told them already."""
+        if len(self.found.shown) == 1 and self.found.shown[0].factors:
+            return
+        entry = self.found.shown[int(values["model"])]
+        key = self.found.id, self.app.session.revision
+        if self.figures[0] != key:
+            self.figures = key, numbers(replace(self.found.step, readouts=entry.factors), values, self.app.ctx)
+            self.app.ctx.screen.use()
+        imgui.text_disabled(entry.label + ("" if entry.factors else " has f only, no D, G and F"))
+        numbers_panel.draw(self.app, self.figures[1], self.app.theme)
+
+    # --- what is shown -----------------------------------------------------------------------------------------------
+    def view(self, values: dict) -> None:
+        specs = self.found.values
+        shown = [specs[name] for name in VIEW if name in specs]
+        if values["stands"] == 0:
+            shown = [spec for spec in shown if spec.name != "shape"]
+        controls.rows(self.app, [spec for spec in (*shown, specs["lobe_top"]) if self.matters(spec)])
+        if imgui.small_button("Fit the lobes"):
+            self.app.set_value("lobe_top", min(max(round_up(max(self.longest(), 1e-3)), 1e-3), 1e6))
+        if self.longest() > LONG * values["lobe_top"] and values["lobe_scale"] != 2:
+            imgui.same_line()
+            controls.badge("longer than they are drawn", style.ink("printed", self.app.theme))
+
+    def matters(self, spec) -> bool:
+        return not spec.choices or len(spec.choices) > 1
+
+    def longest(self) -> float:
+        key = self.found.id, self.app.session.revision
+        if self.peak[0] != key and not imgui.is_mouse_down(0):
+            self.peak = key, self.found.peak(self.app.session.values)
+            self.app.ctx.screen.use()
+        return self.peak[1]
+
+    def parameters(self, entry: Entry) -> None:
+        """The sliders of one model."""
+        own = [spec for name, spec in self.found.values.items() if name.startswith(entry.prefix)]
+        if not own:
+            return
+        imgui.push_style_color(imgui.Col_.text, style.vec(style.ink(entry.colour, self.app.theme)))
+        is_open = imgui.collapsing_header(entry.label, imgui.TreeNodeFlags_.default_open)
+        imgui.pop_style_color()
+        if is_open:
+            controls.rows(self.app, own)

@@ -1,0 +1,51 @@
+"""Chromium without a window, for tests of pages: one browser a session, software WebGL2."""
+
+import shutil
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+
+
+@dataclass
+class Heard:
+    """What a tab said on its console, and what it asked for."""
+
+    said: list[str] = field(default_factory=list)
+    asked: list[str] = field(default_factory=list)
+
+
+@contextmanager
+def chromium():
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        try:
+            yield browser
+        finally:
+            browser.close()
+
+
+@contextmanager
+def opened(browser, path: Path | str, size: tuple[int, int] = (480, 360), before: str = "", query: str = ""):
+    """A tab with a page that has drawn; `before` is a script that runs first."""
+    tab = browser.new_page(viewport={"width": size[0], "height": size[1]}, color_scheme="dark")
+    heard = Heard()
+    tab.on("console", lambda message: heard.said.append(f"{message.type}: {message.text}"))
+    tab.on("pageerror", lambda error: heard.said.append(str(error)))
+    tab.on("request", lambda request: heard.asked.append(request.url))
+    tab.add_init_script(before)
+    try:
+        tab.goto(Path(path).absolute().as_uri() + query)
+        yield tab, heard
+    finally:
+        tab.close()
+
+
+def settle(tab, after: int = 0) -> int:
+    """Wait until the page has drawn and counted anew; how often it has."""
+    tab.wait_for_function("n => +document.documentElement.dataset.drawn > n", arg=after, timeout=30_000)
+    return int(tab.evaluate("document.documentElement.dataset.drawn"))

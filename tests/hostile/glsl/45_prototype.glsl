@@ -1,0 +1,2 @@
+// 45: missing: a promise without a body
+float asked(float x);

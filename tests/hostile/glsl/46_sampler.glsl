@@ -1,0 +1,2 @@
+// 46: rejected: a texture
+float asked(float x) { return texelFetch(halfway, ivec2(0), 0).x; }

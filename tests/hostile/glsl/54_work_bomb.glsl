@@ -1,0 +1,67 @@
+// 54: timeout_cpu|wrong|unwritten: heavy work at each point
+float asked(float x) {
+    float y = x;
+    for (int i = 0; i < 60000; i++) {
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+        y = sin(y + x);
+    }
+    return 2.0 * x + 1e-30 * y;
+}

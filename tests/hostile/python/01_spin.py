@@ -1,0 +1,4 @@
+# 1: timeout_cpu: spins
+def asked(x):
+    while True:
+        pass

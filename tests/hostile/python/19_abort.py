@@ -1,0 +1,6 @@
+# 19: crash: aborts
+import os
+
+
+def asked(x):
+    os.abort()

@@ -1,0 +1,3 @@
+# 20: runtime_error: calls itself
+def asked(x):
+    return asked(x)

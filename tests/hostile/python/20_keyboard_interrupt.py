@@ -1,0 +1,3 @@
+# 20: runtime_error: KeyboardInterrupt
+def asked(x):
+    raise KeyboardInterrupt

@@ -1,0 +1,3 @@
+# 24: runtime_error: truth values
+def asked(x):
+    return x > 0

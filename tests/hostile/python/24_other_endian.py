@@ -1,0 +1,3 @@
+# 24: pass: the bytes the other way round
+def asked(x):
+    return (2 * x).astype(">f8")

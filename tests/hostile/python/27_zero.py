@@ -1,0 +1,3 @@
+# 27: wrong: nothing
+def asked(x):
+    return 0 * x

@@ -1,0 +1,4 @@
+# 33: runtime_error: a class
+class asked:
+    def __init__(self, x):
+        self.value = 2 * x

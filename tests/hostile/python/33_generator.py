@@ -1,0 +1,3 @@
+# 33: runtime_error: a generator
+def asked(x):
+    yield 2 * x

@@ -1,0 +1,2 @@
+# 33: pass: a lambda
+asked = lambda x: 2 * x

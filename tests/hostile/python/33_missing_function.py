@@ -1,0 +1,3 @@
+# 33: missing: another name
+def asks(x):
+    return 2 * x

@@ -1,0 +1,2 @@
+# 33: runtime_error: a number
+asked = 2.0

@@ -1,0 +1,3 @@
+# 33: missing: another case
+def Asked(x):
+    return 2 * x

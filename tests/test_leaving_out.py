@@ -1,0 +1,200 @@
+"""What a scene leaves out: proven by its texts, measured beside a shader that has everything on."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app import __main__ as cli
+from app import inspect_all
+from app.catalog import step, steps
+from app.cost import Cost, cost, held
+from app.everything import FEATURES, EverythingOn, features
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source, programs
+from app.inspection import inspect, unread
+from app.leaving import decisions, lean
+from app.leaving import faults as leaving_faults
+from app.lesson import LeaveOut
+from app.session import Session
+from app.state import defaults
+from app.theme import THEMES
+from tests import small_lesson
+
+CONE = step("solid_angle/cone")
+
+
+def test_the_yardstick_colours_the_same_pixels(ctx):
+    """Its vertices are the scene's, so what is drawn on is the same; what is there is another colour."""
+    found, pictures, covered = step("lights/positional"), [], []
+    for kind in (Stage, EverythingOn):
+        stage = kind(ctx, Source(found.step.scene))
+        stage.draw(defaults(found), found.step.scene.camera, (96, 96), THEMES["dark"], fine=False)
+        assert not stage.faults()
+        pictures.append(stage.pixels().astype(int))
+        drawn = stage.target(("picture", "faults"), False).read(components=4, attachment=1)
+        covered.append(np.frombuffer(drawn, "u1").reshape(96, 96, 4)[..., 3] > 0)  # opaque surfaces write there
+        stage.release()
+    assert np.array_equal(*covered) and 0.2 < covered[0].mean() < 1
+    assert np.abs(pictures[0] - pictures[1]).max() > 40
+
+
+def test_every_feature_of_the_yardstick_is_in_it(ctx):
+    """A feature counts as left out only if the yardstick itself has it: something of its files is compiled there."""
+    stage = EverythingOn(ctx, Source(CONE.step.scene))
+    files = set(stage.texts(("surface",))["surface"][1].files)
+    stage.release()
+    for name, of in FEATURES.items():
+        assert any(f"glsl/optics/{file}.glsl" in files for file in of), name
+
+
+def test_a_scene_has_the_features_it_compiles():
+    assert features(CONE.step.scene) == ()
+    assert features(step("lights/spot").step.scene) == ("a light at a point", "a cone of light")
+    scene = CONE.step.scene
+    unused = replace(scene, glsl='#include "optics/spot.glsl"\n' + scene.glsl)
+    assert features(unused) == (), "an included file of which nothing is used is no feature"
+
+
+def test_cost_counts_what_is_there(ctx):
+    found = step("solid_angle/mesh")
+    row = inspect_all.row(found)
+    assert row.cost["vertices"] == sum(row.found.vertices.values()) > 1000 and row.cost["texels"] > 0
+    assert row.cost["compile_ms"] > 0 and row.cost["frame_ms"] > 0
+    assert row.left_out == tuple(FEATURES), "the mesh of chapter 1 has no light"
+    small = Cost(1, 0, 0, 0, 1.0, 3.0, 1.0, 6.0)
+    assert small.ratio == 0.5
+
+
+def test_memory_is_what_is_held(ctx):
+    stage = Stage(ctx, Source(CONE.step.scene))
+    empty, texels = held(stage)
+    stage.draw(defaults(CONE), CONE.step.scene.camera, (256, 256), THEMES["dark"], fine=False, counted=False)
+    assert texels == 0 and held(stage)[0] - empty == 256 * 256 * 8 // 1024  # colour and depth
+    stage.release()
+
+
+def test_cost_leaves_the_context_as_it_was(ctx):
+    before = ctx.extra
+    cost(CONE, defaults(CONE), rounds=1)
+    assert ctx.extra is before
+
+
+def test_a_varying_or_an_attribute_nobody_reads_is_a_fault():
+    vertex, fragment = programs(CONE.step.scene)["surface"]
+    assert unread("surface", vertex, fragment) == ()
+    idle = replace(vertex, text=vertex.text.replace("in vec2 stage_st;", "in vec2 stage_st;\nin vec3 stage_idle;")
+                   .replace("out vec4 v_value;", "out vec4 v_value;\nout vec2 v_idle;"))
+    assert unread("surface", idle, fragment) == ("the attribute stage_idle of the pass surface is not read.",
+                                                 "the varying v_idle of the pass surface is not read.")
+
+
+def test_all_is_told_and_a_fault_fails(tmp_path, monkeypatch, capsys):
+    found = steps(small_lesson.write(tmp_path))
+    monkeypatch.setattr(inspect_all, "steps", lambda: found)
+    assert cli.main(["inspect", "--all"]) == 0
+    out = capsys.readouterr().out
+    assert "Nothing lies about" in out and f"{len(found)} of {len(found)} steps" in out
+    assert cli.main(["inspect", "--all", "--json"]) == 0
+    rows = json.loads(capsys.readouterr().out)
+    assert [row["step"] for row in rows] == [one.id for one in found]
+    assert all(row["cost"]["ratio"] > 0 and row["faults"] == [] for row in rows)
+    (tmp_path / "broken").mkdir()
+    broken = small_lesson.write(tmp_path / "broken", ("uniform float half_angle;",
+                                                      "uniform float half_angle;\nuniform float tilt;"))
+    idle = steps(broken)
+    monkeypatch.setattr(inspect_all, "steps", lambda: idle)
+    assert cli.main(["inspect", "--all"]) == 1
+    assert "the uniform tilt is declared and not used" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [["inspect"], ["inspect", "solid_angle/cone", "--all"]])
+def test_a_step_or_all(words, capsys):
+    assert cli.main(words) == 2 and "wants a step, or --all" in capsys.readouterr().err
+
+
+# --- what a scene decides --------------------------------------------------------------------------------------------
+LAMPS = step("lights/area_exact")
+FAR = {"panel_width": 0.27, "light_height": 3.0}
+
+
+def picture(found, values, ctx):
+    stage = Stage(ctx, Source(found.step.scene))
+    stage.draw(values, found.step.scene.camera, (128, 96), THEMES["dark"], fine=False)
+    assert not stage.faults()
+    pixels = stage.pixels().astype(int)
+    stage.release()
+    return pixels
+
+
+def test_a_lamp_is_a_point_where_that_is_exact_enough():
+    samples, size = decisions(LAMPS, defaults(LAMPS))
+    assert samples.is_out and samples.error == 0 and "exact to rounding" in samples.words
+    assert not size.is_out and size.error > 0.4 and "needed" in size.words and "43 %" in size.words
+    _, far = decisions(LAMPS, defaults(LAMPS) | FAR)
+    assert far.is_out and 0.001 < far.error < far.of.limit and "0.57 %" in far.words
+
+
+def test_a_person_decides_otherwise_and_is_told_what_it_costs():
+    _, size = decisions(LAMPS, defaults(LAMPS), {"the lamps' size": True})
+    assert size.is_out and size.by_hand and "above the 1.0 % it accepts" in size.words
+    _, size = decisions(LAMPS, defaults(LAMPS) | FAR, {"the lamps' size": False})
+    assert not size.is_out and "kept by hand" in size.words
+
+
+def test_what_is_left_out_changes_the_picture_by_no_more_than_is_said(ctx):
+    near, far = defaults(LAMPS), defaults(LAMPS) | FAR
+    for values, is_out, low, high in ((far, True, 0, 2), (near, True, 40, 255), (near, False, 0, 0)):
+        made = decisions(LAMPS, values, {"the lamps' size": is_out})
+        off = np.abs(picture(lean(LAMPS, made), values, ctx) - picture(LAMPS, values, ctx))
+        assert low <= off.max() <= high, (values, is_out)
+
+
+def test_the_64_samples_are_there_when_they_are_wanted(ctx):
+    values = defaults(LAMPS)
+    made = decisions(LAMPS, values, {"64 samples of a lamp": False})
+    kept = {name for pair in programs(lean(LAMPS, made).step.scene).values() for part in pair if part
+            for name in part.kept}
+    assert "irradiance_light_64" in kept and "irradiance_outline" not in kept
+    off = np.abs(picture(lean(LAMPS, made), values, ctx) - picture(LAMPS, values, ctx)).max(-1)
+    assert off.max() > 2 and np.mean(off) < 6, "noise, and little of it"
+
+
+@pytest.mark.parametrize(("material", "is_out"), [(6, True), (7, True), (8, False), (9, False)])
+def test_wavelengths_are_summed_only_where_the_fit_is_off(material, is_out):
+    found = step("plausible_shading/compare")
+    made = decisions(found, defaults(found) | {"material": material})
+    assert [one.is_out for one in made] == [is_out]
+    kept = {name for pair in programs(lean(found, made).step.scene).values() for part in pair if part
+            for name in part.kept}
+    assert ("metal_index" in kept) != is_out and ("f_material_schlick" in kept) == is_out
+
+
+def test_the_same_decision_is_the_same_scene():
+    one, other = (lean(LAMPS, decisions(LAMPS, defaults(LAMPS) | FAR | {"light_x": x})) for x in (0.0, 0.1))
+    assert one is other and one is not LAMPS and lean(CONE, ()) is CONE
+
+
+def test_a_wrong_leave_out_is_told():
+    for one, sentence in ((LeaveOut("x", 0.0, 1e-3, "y", {"irradiance_light": "no_such"}), "no function no_such"),
+                          (LeaveOut("x", 0.0, 1e-3, "y"), "changes no function"),
+                          (LeaveOut("x", 0.0, -1.0, "y", {"irradiance_light": "irradiance_light_64"}), "below 0")):
+        wrong = replace(LAMPS, step=replace(LAMPS.step, leave_outs=(one,)))
+        assert any(sentence in fault for _, fault in leaving_faults(wrong)), sentence
+
+
+def test_a_session_keeps_what_was_decided():
+    session = Session("lights/area_exact")
+    before = session.revision
+    session.decide("the lamps' size", True)
+    assert session.visit.decided == {"the lamps' size": True} and session.revision > before
+    session.go("lights/spot")
+    session.go("lights/area_exact")
+    assert session.visit.decided == {"the lamps' size": True}
+    session.decide("the lamps' size", None)
+    assert session.visit.decided == {}
+
+
+def test_inspect_without_opengl_is_pure_text():
+    assert inspect(CONE).faults == ()

@@ -1,0 +1,330 @@
+"""Error against run time: orders within the bands of the optics reference, silent failures caught, budgets kept."""
+
+import json
+import re
+from dataclasses import replace
+from itertools import pairwise
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from app.__main__ import main
+from app.catalog import step, steps
+from app.lesson import Method, Study, Term
+from app.plots.efforts import chart, chosen, whole
+from app.plots.look import Look
+from app.problem import Problem, Usage
+from app.study import command
+from app.study.integrals import Integral
+from app.study.measure import cases, measure, reference, seen
+from app.study.names import inputs
+from app.study.points import LINE, SQUARE
+from app.study.record import Line, Point, Record, slope
+from app.study.rules import estimate, is_random, ladder
+from app.theme import THEMES
+
+STUDIED = [found for found in steps() if found.step.study]
+COOK_TORRANCE = step("microfacets/cook_torrance").step.study
+GGX = step("geometry_term/smith").step.study
+D_SUM = step("microfacets/distribution").step.study
+SEEDS = 24
+
+
+def error(study: Study, rule: str, values: dict, count: int, seeds: int = 1) -> float:
+    values = seen(values)
+    right = reference(study, values)
+    found = [estimate(study, Method("", rule), values, count, seed).value for seed in range(seeds)]
+    return float(np.sqrt(np.mean((np.array(found) / right - 1) ** 2)))
+
+
+def order(study: Study, rule: str, values: dict, seeds: int = SEEDS, powers=range(8, 15, 2)) -> float:
+    counts = [2**k for k in powers]
+    errors = [error(study, rule, values, count, seeds) for count in counts]
+    return slope(np.log(counts), np.log(errors))[0]
+
+
+# --- orders (optics reference 4.3) -----------------------------------------------------------------------------------
+@pytest.mark.parametrize("theta", [0.3, 0.8])
+def test_random_samples_gain_by_the_square_root(theta):
+    assert 0.40 <= order(COOK_TORRANCE, "random importance", {"m": 0.3, "f0": 1.0, "theta_v": theta}) <= 0.60
+
+
+def test_jittered_samples_gain_in_proportion():
+    assert order(COOK_TORRANCE, "jittered importance", {"m": 0.1, "f0": 1.0, "theta_v": 0.3}) >= 0.80
+
+
+def test_jittered_samples_lost_below_the_horizon():
+    assert order(COOK_TORRANCE, "jittered importance", {"m": 0.5, "f0": 1.0, "theta_v": 1.4}) >= 0.45
+
+
+def test_sobol_points_gain_in_proportion():
+    assert order(COOK_TORRANCE, "sobol importance", {"m": 0.3, "f0": 1.0, "theta_v": 0.8}) >= 0.9
+
+
+def test_fibonacci_points_gain_in_proportion():
+    values = {"m": 0.3, "f0": 1.0, "theta_v": 0.8}
+    assert order(COOK_TORRANCE, "fibonacci importance", values, seeds=1, powers=range(8, 17)) >= 0.8
+
+
+def test_gauss_points_stop_at_the_creases_of_the_v_groove():
+    values = {"m": 0.5, "f0": 1.0, "theta_v": 0.8}
+    assert 0.9 <= order(COOK_TORRANCE, "gauss angles", values, seeds=1, powers=range(8, 17, 2)) <= 2.5
+
+
+@pytest.mark.parametrize(("alpha", "theta"), [(0.5, 0.8), (1.0, 0.8), (0.5, 0.0)])
+def test_gauss_points_gain_without_end_where_all_is_smooth(alpha, theta):
+    """Twice the points a side, more than one and a half times the digits; 8 x 8 leave 6e-5, 16 x 16 6e-9."""
+    errors = [error(GGX, "gauss angles", {"m": alpha, "theta_v": theta}, k * k) for k in (8, 16, 32)]
+    for coarse, fine in pairwise(errors):
+        assert fine <= max(coarse**1.5, 1e-12)
+    if (alpha, theta) == (0.5, 0.8):
+        assert errors[0] == pytest.approx(6e-5, rel=0.2) and errors[1] == pytest.approx(6e-9, rel=0.2)
+
+
+@pytest.mark.parametrize("m", [1.0, 0.1, 1e-2, 1e-4])
+@pytest.mark.parametrize("theta", [0.0, 0.8, 1.4])
+def test_the_semi_analytic_way_is_exact_in_a_few_nodes(m, theta):
+    values = {"m": m, "f0": 0.9, "theta_v": theta}
+    right = estimate(COOK_TORRANCE, Method("", "semi-analytic"), values, 40, 0).value
+    for nodes, most in ((16, 1e-10), (24, 1e-13)):
+        found = estimate(COOK_TORRANCE, Method("", "semi-analytic"), values, nodes, 0).value
+        assert abs(found / right - 1) < most
+
+
+def test_one_laguerre_node_is_exact_for_a_narrow_lobe():
+    assert error(COOK_TORRANCE, "laguerre importance", {"m": 0.01, "f0": 1.0, "theta_v": 1.2}, 1) < 1e-13
+
+
+# --- who wins (4.2), in samples: times are for the bench -------------------------------------------------------------
+def test_small_m_makes_drawn_samples_better_and_blind_ones_useless():
+    for rule, narrow_wins in (("random importance", True), ("random uniform", False)):
+        wide, narrow = (error(COOK_TORRANCE, rule, {"m": m, "f0": 1.0, "theta_v": 0.8}, 1024, 8) for m in (1.0, 0.01))
+        assert (narrow < 0.1 * wide) == narrow_wins
+
+
+def test_the_lobe_over_slope_needs_as_many_nodes_at_every_m():
+    """64 nodes in tan a / m are exact at every m; over the angle they do not see a narrow lobe."""
+    for m in (0.1, 0.01, 1e-3, 1e-4):
+        assert error(D_SUM, "gauss half", {"m": m}, 64 * 64) < 1e-12
+    assert error(D_SUM, "gauss angles", {"m": 1e-4}, 48 * 48) > 0.5
+
+
+# --- silent failures (4.4) -------------------------------------------------------------------------------------------
+def only(study: Study, *labels: str) -> Study:
+    return replace(study, methods=tuple(m for m in study.methods if m.label in labels))
+
+
+def test_a_silent_failure_is_caught_and_told():
+    found = measure(only(D_SUM, "adaptive, angle", "adaptive, slope"), {"m": 1e-4}, 60.0)
+    lost, safe = found.lines
+    assert [p.words for p in lost.silent][-1] == "converged, but 100 % off" and not safe.silent
+    assert all(lost.reach(t) is None for t in (1e-2, 1e-3, 1e-6)) and safe.reach(1e-6)
+
+
+def test_samples_that_all_miss_are_sure_of_nothing():
+    study = replace(COOK_TORRANCE, methods=(Method("random", "random uniform", ladder=(64, 256, 1024)),))
+    found = measure(study, {"m": 1e-4, "f0": 1.0, "theta_v": 0.5}, 60.0)
+    assert found.lines[0].silent and found.lines[0].silent[0].words == "standard error 0, but 100 % off"
+
+
+@pytest.mark.parametrize(("point", "silent"), [
+    (Point(1, 9, 0.5, [1.0], claim=1e-6, said="converged"), True),
+    (Point(1, 9, 0.5, [1.0], claim=1e-6, said="not_converged"), False),
+    (Point(1, 9, 1e-5, [1.0], claim=1e-6, said="converged"), False),
+    (Point(1, 9, 0.5, [1.0], claim=0.0), False),
+    (Point(1, 999, 0.5, [1.0], claim=0.0), True),
+    (Point(1, 999, 0.5, [1.0], claim=0.2), False),
+    (Point(1, 999, 0.5, [1.0]), False),
+])
+def test_what_counts_as_a_silent_failure(point, silent):
+    assert point.silent is silent
+
+
+# --- every study of the course ---------------------------------------------------------------------------------------
+@pytest.mark.parametrize("found", STUDIED, ids=lambda found: found.id)
+def test_every_method_of_a_study_comes_near(found):
+    """At a gentle case each method that is not biased comes near the exact value: all integrate the same thing."""
+    study = found.step.study
+    job = next(job for job in command.jobs([found.id]) if job.where == "CPU")
+    values = seen(job.values | dict.fromkeys(study.worst, 0.5))
+    right = reference(study, values)
+    for method in study.methods:
+        rungs = [rung for rung in ladder(method, study.over == "wavelengths") if rung <= 20000]
+        value = estimate(study, method, values, rungs[-1], 3).value
+        assert value == pytest.approx(right, rel=0.25 if is_random(method) else 0.15), method.label
+
+
+@pytest.mark.parametrize("found", STUDIED, ids=lambda found: found.id)
+def test_a_study_is_declared_with_what_there_is(found):
+    study = found.step.study
+    labels = [method.label for method in study.methods]
+    assert len(set(labels)) == len(labels) and study.why.count(".") <= 3 and len(study.why.split()) < 60
+    assert inputs(study) <= {*found.values, *(table.uniform for table in found.step.scene.tables)}
+    maps = Integral(study, {}).maps
+    for method in study.methods:
+        assert set(method.sets) <= set(found.values)
+        kind, _, way = method.rule.partition(" ")
+        if method.term is None and kind not in ("semi-analytic", "lebedev"):
+            assert way in maps and kind in {*(LINE if way == "line" else SQUARE), "cubature"}
+    for _, given in cases(study):
+        assert set(given) <= set(found.values)
+
+
+@pytest.mark.parametrize("kinds", [SQUARE, LINE], ids=["square", "line"])
+def test_the_weights_of_points_sum_to_one(kinds):
+    for name, points in kinds.items():
+        at, weights = points(256, 5)
+        assert weights.sum() == pytest.approx(1, rel=1e-12), name
+        assert at.shape == (len(weights), 2) and at.min() >= 0 and at.max() <= 1
+
+
+# --- the record ------------------------------------------------------------------------------------------------------
+def line(*errors: float) -> Line:
+    return Line("a", [Point(k, 4**k, e, [1e-3 * 4**k]) for k, e in enumerate(errors)])
+
+
+def test_a_tolerance_is_reached_when_it_is_kept():
+    found = line(1e-1, 1e-4, 1e-2, 5e-4, 1e-5)
+    assert found.reach(1e-3).rung == 3 and found.reach(1e-2).rung == 1 and found.reach(1e-6) is None
+
+
+def test_the_winner_is_the_first_in_time_and_not_the_reference():
+    slow, fast, exact = line(1e-1, 1e-3), line(1e-3, 1e-5), Line("exact", [Point(1, 1, 0.0, [1e-9])], reference=True)
+    record = Record("a/b", "t", "", {}, {"": 1.0}, [slow, fast, exact])
+    assert record.winner(1e-3)[0] is fast and record.winner(1e-9) is None
+
+
+def test_an_order_has_a_spread():
+    p, spread = line(*(0.3 * 4 ** (-0.5 * k) for k in range(8))).order
+    assert p == pytest.approx(0.5) and spread < 1e-12
+    assert line(0.1, 0.01).order is None
+
+
+def test_a_budget_is_kept_by_the_clock_it_is_measured_with(monkeypatch):
+    """A clock that goes by work: each look at it is a millisecond, so that no machine is too slow for this test."""
+    now = iter(np.arange(0, 1e4, 1e-3))
+    monkeypatch.setattr("app.study.measure.perf_counter", lambda: float(next(now)))
+    found = measure(COOK_TORRANCE, {"m": 0.1, "f0": 1.0}, 0.5)
+    assert 0.2 < found.seconds < 0.7 and all(one.points for one in found.lines)
+
+
+# --- the picture -----------------------------------------------------------------------------------------------------
+AREA = step("lights/area_work").step.study
+
+
+def area_record(points: int = 4) -> Record:
+    lines = [Line(m.label, [Point(k, 4**k, 10.0 ** -(k + i), [1e-4 * 4**k] * 3) for k in range(points)])
+             for i, m in enumerate(AREA.methods)]
+    lines[-1] = Line(AREA.methods[-1].label, [Point(1, 1, 0.0, [1e-4])], reference=True)
+    return Record("lights/area_work", AREA.title, "panel", {}, {"": 1.0}, lines)
+
+
+@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
+@pytest.mark.parametrize("size", [(960, 720), (400, 300), (300, 260)])
+def test_points_stand_where_they_are_said_to_be(theme, size):
+    record, look = area_record(), Look(theme, size)
+    drawn, spots = chart(AREA, record, look, size[::-1], {"sampling": 5, "level": 2})
+    assert drawn.shape == (size[1], size[0], 3) and len(spots) == sum(len(one.points) for one in record.lines)
+    there = [drawn[int(spot.y), int(spot.x)] / 255 for spot in spots]
+    bare = [spot for spot, ink in zip(spots, there, strict=True) if np.abs(ink - look.background).max() < 0.15]
+    assert len(bare) <= (2 if min(size) < 400 else 0), bare  # names may lie on points in a small picture
+
+
+def test_a_click_sets_the_method_and_its_cost():
+    method = next(m for m in AREA.methods if m.label == "Gauss, angle")
+    assert chosen(method, Point(3, 64, 0.1, [1.0])) == {"sampling": 5, "level": 3}
+    counted = next(m for m in step("solid_angle/patch").step.study.methods if m.label == "Fibonacci")
+    assert chosen(counted, Point(1024, 1024, 0.1, [1.0])) == {"samples": 1024}
+
+
+def test_a_pointer_finds_the_nearest_point_that_can_be_set():
+    from app.plots.wire import Spot
+    from app.viewer.study_panel import StudyPanel, nearest
+
+    far, near, other = Spot(10, 10, "", {"level": 9}), Spot(50, 50, "", {"level": 2}), Spot(51, 50, "", {})
+    assert nearest((far, near, other), 51, 50, 8) is near and nearest((far, near), 30, 30, 8) is None
+    from app.session import Session
+
+    panel = StudyPanel(SimpleNamespace(session=Session("lights/area_work")))
+    assert panel.possible(far) == {"level": 4}  # the scene's most
+    panel.choose({"sampling": 5, "level": 4})
+    assert panel.app.session.values["sampling"] == 5 and panel.app.session.values["level"] == 4
+
+
+# --- the command -----------------------------------------------------------------------------------------------------
+def test_the_command_writes_a_page_that_needs_no_network(tmp_path, capsys, monkeypatch):
+    real = command.record_of
+    monkeypatch.setattr(command, "record_of", lambda job, budget: real(job, 0.4))
+    assert main(["study", "microfacets/distribution", "--json", "-o", str(tmp_path / "out")]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert [one["case"] for one in data["studies"]] == ["m = 1", "m = 0.1", "m = 0.01", "m = 10⁻⁴"]
+    assert {"processor", "numpy", "scipy", "python"} <= set(data["machine"])
+    for one in data["studies"]:
+        for method in one["methods"]:
+            assert method["points"] and all(p["time"] > 0 for p in method["points"]), method["label"]
+    failed = [p["silent_failure"] for m in data["studies"][3]["methods"] for p in m["points"] if m["label"]
+              == "adaptive, angle"]
+    assert "converged, but 100 % off" in failed
+    page = (tmp_path / "out" / "index.html").read_text("utf-8")
+    assert not re.search(r"(src|href|srcset)=\"(?!data:|#)", page) and "converged, but 100 % off" in page
+    assert len(list((tmp_path / "out").glob("*.png"))) == 8 and (tmp_path / "out" / "study.json").exists()
+
+
+def test_what_the_budget_had_no_time_for_is_told(monkeypatch, capsys):
+    now = iter([0.0, 0.5, *np.arange(99, 999.0)])  # the command begins, one study, and the time is up
+    monkeypatch.setattr("app.study.command.perf_counter", lambda: float(next(now)))
+    assert main(["study", "solid_angle/patch", "--budget", "9"]) == 1
+    out, err = capsys.readouterr()
+    assert "w = 1.2 m" in out and "w = 0.2 m" not in out
+    assert err.strip() == ("halfway: the budget was up before 2 of 3 studies began, from solid_angle/patch, w = 0.2 m "
+                           "on; name topics, or give more with --budget.")
+
+
+def test_an_interruption_keeps_what_is_done(tmp_path, monkeypatch, capsys):
+    real, done = command.record_of, []
+
+    def interrupted(job, budget):
+        if done:
+            raise KeyboardInterrupt
+        done.append(job)
+        return real(job, 0.1)
+
+    monkeypatch.setattr(command, "record_of", interrupted)
+    assert main(["study", "radiometry/eye", "-o", str(tmp_path)]) == 130
+    out = capsys.readouterr().out
+    assert "T = 2700 K" in out and "6500" not in out and (tmp_path / "index.html").exists()
+
+
+@pytest.mark.parametrize(("words", "sentence"), [
+    (["lumens", "nonsense"], "there is no study of nonsense."),
+    (["--budget", "0"], "--budget 0: a study needs at least 2 seconds."),
+    (["radiometri/eye"], "there is no study of radiometri/eye. Did you mean radiometry/eye"),
+])
+def test_what_cannot_be_studied_is_told(words, sentence, capsys):
+    assert main(["study", *words]) == Usage.code
+    assert capsys.readouterr().err.startswith(f"halfway: {sentence}")
+
+
+def test_a_rule_that_does_not_exist_is_told():
+    study = Study("A", 1.0, (), "", over="halfways", integrand=(Term("d_beckmann"),), width="m")
+    for rule, sentence in (("random unifrom", "has no map unifrom. Did you mean uniform"),
+                           ("randem uniform", "there are no points randem. Did you mean random")):
+        with pytest.raises(Problem, match=re.escape(sentence)):
+            estimate(study, Method("", rule), {"m": 0.3}, 16, 0)
+
+
+def test_the_gpu_draws_the_same_study(capsys):
+    """Pixels against the float64 closed form: Gauss points come down to float32, and errors fall as on the CPU."""
+    from app.study.pixels import measure_pixels
+
+    job = next(job for job in command.jobs(["lights/area_work"]) if job.where == "GPU")
+    small = replace(AREA, methods=tuple(replace(m, ladder=(1, 2, 3)) if m.cost else m for m in AREA.methods))
+    found = {one.label: [p.error for p in one.points] for one in measure_pixels(small, job.values, 60.0).lines}
+    assert found["closed form"][0] < 1e-5 and found["Gauss, angle"][-1] < 1e-3
+    assert found["random"][0] > 1.5 * found["random"][1] > 2.2 * found["random"][2]
+
+
+def test_the_pictures_of_a_record_are_as_large_as_asked():
+    for theme in THEMES.values():
+        assert whole(AREA, area_record(), (960, 720), theme).size == (960, 720)
