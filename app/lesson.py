@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from app.classroom import Break, Check, Choice, Exercise, Prediction  # noqa: F401  lessons import all from here
+from app.classroom import Break, Check, Choice, Exercise, LeaveOut, Prediction  # noqa: F401  lessons import all here
 from app.worded import Number, Term, Worded, vocabulary  # noqa: F401
 
 Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
@@ -183,6 +183,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    most: float = 0.0  # where a linear axis ends at the latest, above 0: what goes beyond it is cut there, and named
     tab: str = ""  # a word for its tab
 
 
@@ -316,7 +317,7 @@ class Step:
     title: str
     idea: str  # the one sentence to take home
     slides: tuple[str, ...]  # titles of the deck
-    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
+    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values, (code:d_beckmann) opens GLSL
     scene: Scene
     plot: Plot | tuple[Plot, ...]
     readouts: tuple[Readout, ...]
@@ -330,6 +331,7 @@ class Step:
     beyond: bool = False  # beyond the deck
     study: Study | None = None  # of lessons/studies.py
     breaks: tuple[Break, ...] = ()
+    leave_outs: tuple[LeaveOut, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:

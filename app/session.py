@@ -236,6 +236,15 @@ class Session:
         self.revision += done
         return done
 
+    # --- what one leaves out -----------------------------------------------------------------------------------------
+    def decide(self, label: str, is_out: bool | None) -> None:
+        """Leave something out, or keep it, whatever the scene thinks; None: as the scene thinks."""
+        if is_out is None:
+            self.visit.decided.pop(label, None)
+        else:
+            self.visit.decided[label] = is_out
+        self.revision += 1
+
     # --- what one breaks ---------------------------------------------------------------------------------------------
     @property
     def broken(self) -> Break | None:

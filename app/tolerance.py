@@ -310,6 +310,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "irradiance_light": _light_terms,
     "irradiance_light_64": partial(_shifted_terms, "irradiance_light_64"),
     "point_light_error": _point_error_terms,
+    "point_lights_error": lambda **lamp: np.max([
+        _point_error_terms(np.full(np.shape(lamp["panel_width"]), kind), **lamp) for kind in range(4)], 0),
     "irradiance_outline": _panel_terms,
     "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (

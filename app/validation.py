@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Collection, Iterator
 from typing import get_args
 
-from app import breaking, edit, prose, shader
+from app import breaking, edit, leaving, prose, shader
 from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
 from app.lesson import Colour, Curves, Faces, Ledger, ModelPlot, Number, Scene
 from app.optics import arguments, names
@@ -78,6 +78,7 @@ def faults(found: LoadedStep) -> Faults:
     yield from scene_faults(found)
     yield from model_faults(found)
     yield from breaking.faults(found)
+    yield from leaving.faults(found)
     step = found.step
     for kind in PROSE:
         if wrong := prose.balanced(getattr(step, kind)):

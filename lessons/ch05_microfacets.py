@@ -667,9 +667,7 @@ vec4 probe(int i) {
         question="A very rough metal, m = 1, and facets that reflect all. The eye looks straight down. What share of the "
                  "light does the formula, with its 1/4, send back?",
         truth=Term("albedo_cook_torrance", {"theta_v": 0.0, "m": 1.0, "f0": 1.0}),
-        unit="of it",
-        low=0.0,
-        high=2.0,
+        unit="of it", low=0.0, high=2.0,
         sets={"m": 1.0, "theta_v": 0.0, "prefactor": 0},
         told="0.45. The rest meets a second facet, and the formula drops it. With 1/π it is 4/π times as much.",
     ),
@@ -933,8 +931,7 @@ vec4 probe(int i) {
         curves=(Curve("exact", Term("d_beside")), Curve("stable", Term("d_beside"), role="estimate", precision="float32"),
                 Curve("fast", Term("d_beside_naive"), role="printed", precision="float32"),
                 Curve("expensive", Term("d_beside_acos_naive"), role="printed", precision="float32")),
-        y_label="relative error",
-        y_scale="log",
+        y_label="relative error", y_scale="log",
         error=True,
     ),
     readouts=(
@@ -948,9 +945,7 @@ vec4 probe(int i) {
         question="A polished metal, m = 0.001, and a facet that leans by m. How many float32 numbers are there between the "
                  "cosine of its angle and 1?",
         truth=Term("cosine_steps", {"slope_ratio": 1.0, "m": 0.001}),
-        unit="numbers",
-        low=1.0,
-        high=1e7,
+        unit="numbers", low=1.0, high=1e7,
         scale="log",
         sets={"m": 0.001, "slope_ratio": 1.0},
         told="8. The whole highlight, out to one m, has eight cosines to choose from; you can count them as rings.",
@@ -1052,8 +1047,7 @@ vec4 probe(int i) {
         sweep="slope_ratio",
         curves=(Curve("Beckmann", Term("d_lean", {"ndf": 2})),
                 Curve("cosine lobe", Term("d_lean", {"ndf": 1}), role="printed")),
-        y_label="D in 1/sr",
-        y_scale="log",
+        y_label="D in 1/sr", y_scale="log",
     ),
     readouts=(
         Readout("exponent of equal width", Term("exponent_from_m"), role="exact", unit=""),

@@ -14,6 +14,7 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    LeaveOut,
     Ledger,
     LedgerRow,
     Lobes,
@@ -170,7 +171,10 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
             "F₀, the exponent 2/m² - 2. The rougher, the stronger the lamp: peaks stay alike. The room is a look, mirrored in 20 "
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
-    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
+    leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
+                         without={"f_material": "f_material_schlick"}),),
+    minutes=6,
 )
 
 CURVES = ("cut at 1", "Reinhard", "ACES fit")

@@ -77,7 +77,7 @@ def test_a_board_is_a_step_and_a_state_like_any_other(tmp_path):
 
 def test_the_first_ones_are_on_and_a_broken_one_is_told():
     found = step(id_of(["lambert", "phong", "ggx", "eon", "blinn_phong", "lambret"]))
-    assert [one.on for one in found.entries] == [True] * MOST + [False] * 2
+    assert [one.on for one in found.entries] == [True] * MOST + [False] * 2, "and no more"
     assert "lambret" in found.entries[-1].fault and len(found.step.models) == MOST
     with pytest.raises(Usage, match="no model lambret"):
         step("board/lambret")

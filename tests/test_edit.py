@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from app import badges, edit, own_models
+from app import badges, edit, own_models, shader
 from app.board.models import opened
 from app.catalog import step, steps
 from app.edit import EDITED
@@ -142,6 +142,7 @@ def test_a_scenes_own_function_changes_no_number():
                                          "float d_beckmann(vec3 n, vec3 h, float m)."),
     (("vec3 n, vec3 h", "vec3 n"), "your d_beckmann, line 1: others call float d_beckmann(vec3 n, vec3 h, float m); "
                                    "its types must stay."),
+    (("{", "{ /*"), "your d_beckmann, line 1: a remark that is never closed."),
     (("float d_beckmann(", "uniform float mine;\nfloat d_beckmann("),
      "your d_beckmann, line 1: a uniform of one's own; nothing would set it."),
 ])
@@ -152,14 +153,23 @@ def test_what_is_wrong_is_said_at_the_users_line(change, sentence):
     assert str(problem.value) == sentence
 
 
-def test_other_lines_of_the_file_keep_their_numbers(ctx):
+def test_other_lines_of_the_file_keep_their_numbers():
+    known, source = edit.functions(step(STEP)), edit.source_of(step(STEP))
+    for text in (known["slope_squared"].text.replace("{", "{\n\n\n", 1), "float slope_squared(vec3 n, vec3 h);"):
+        edits = edit.overrides({"slope_squared": text}, known, source)
+        lines = shader.resolve('#include "optics/beckmann.glsl"', "test", overrides=dict(edits))
+        after = next(line for line in lines if line.text.startswith("float d_beckmann("))
+        assert (after.file, after.number) == (known["d_beckmann"].file, known["d_beckmann"].first)
+        mine = [line.number for line in lines if line.file == "your slope_squared"]
+        assert mine == list(range(1, text.count("\n") + 2))
+
+
+def test_an_include_in_a_remark_is_no_end_of_the_window(ctx):
     found, known = step(STEP), edit.functions(step(STEP))
-    text = known["slope_squared"].text.replace("{", "{\n\n\n", 1)  # three lines longer
-    wrong = {"slope_squared": text, "d_beckmann": known["d_beckmann"].text.replace("dot(", "dott(")}
-    with pytest.raises(Problem) as problem:
-        Stage(ctx, edit.source_of(found)).rewrite(edit.overrides(wrong, known, edit.source_of(found)))
-    assert edit.complaints(str(problem.value), "d_beckmann")[0][0] == 3
-    assert not edit.complaints(str(problem.value), "slope_squared")
+    text = known["d_beckmann"].text.replace("//", '// #include "x"')
+    edits = edit.overrides({"d_beckmann": text}, known, edit.source_of(found))
+    with pytest.raises(Problem, match="^your d_beckmann, line 2: an #include stands on a line of its own.$"):
+        Stage(ctx, edit.source_of(found)).rewrite(edits)
 
 
 # --- a text is kept --------------------------------------------------------------------------------------------------

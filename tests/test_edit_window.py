@@ -45,7 +45,8 @@ def test_a_formula_is_edited_broken_restored_and_saved():
         engine.key_chars("wrong ")  # the last good picture stays, the message stands at its line
         until(engine, window, lambda: bool(window.own.wrong))
         frames(engine, 3)
-        assert [at for at, _ in window.editor.widget.markers][0] == line + 1
+        assert window.editor.widget.markers[0][0] == line + 1
+        assert not window.show_outline and not window.show_notes  # O and N were letters
         assert np.array_equal(picture(), mine)
         until(engine, window, lambda: window.editor.typed_at == 0.0)
         assert "wrong" in Progress().texts(STEP)[0]["d_beckmann"]  # on disk already

@@ -14,7 +14,8 @@ import numpy as np
 from app.board import settings
 from app.board.board_values import specs
 from app.board.brdf_file import Default
-from app.board.factors import PARTS, factors
+from app.board.course_model import CourseModel
+from app.board.factors import factors, labels
 from app.board.models import BoardModel, opened
 from app.board.scene_text import scene
 from app.board.terms import LUMINANCE, channel_of, packed
@@ -67,8 +68,10 @@ class Entry:
     @property
     def factors(self) -> tuple[Readout, ...]:
         """D, G, F and the denominator of a model of the course that is made of them."""
-        return tuple(Readout(part, term, unit="1/sr" if part == "D" else "")
-                     for part, term in zip(PARTS, factors(self.label, self.prefix), strict=False))
+        if not isinstance(self.model, CourseModel):
+            return ()
+        terms = zip(labels(self.model.name), factors(self.model.name, self.prefix), strict=True)
+        return tuple(Readout(label, term, unit="1/sr" if label == "D" else "") for label, term in terms)
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,10 +206,10 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
                 entries.append(Entry(word, model.name, False, model, prefix=f"model{i}_"))
         except Problem as problem:
             problems.append(problem)
-            entries.append(Entry(word, Path(word).stem, False, None, str(problem)))
+            entries.append(Entry(word, Path(word).stem, wanted, None, str(problem)))
     if not on:
         raise problems[0] if problems else Usage("every model of the board is off; one without a minus is on.")
-    return assembled(tuple(entries), peaks)
+    return assembled(name_of(list(words)), tuple(entries), peaks)
 
 
 def peak(model: BoardModel) -> float:
@@ -217,7 +220,7 @@ def peak(model: BoardModel) -> float:
     return float(np.nan_to_num(found, nan=0, posinf=0).max())
 
 
-def assembled(entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
+def assembled(name: str, entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
     labels = {one.word: label for one, label in zip(entries, told_apart([e.label for e in entries]), strict=True)}
     entries = tuple(replace(one, label=labels[one.word]) for one in entries)
     shown = [one for one in entries if one.on and one.model]
@@ -228,7 +231,7 @@ def assembled(entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
     if len(shown) == 1:
         readouts = (*shown[0].factors, *readouts)
     made_of = Step(
-        name=name_of([(one.word, one.on) for one in entries]), title=", ".join(one.label for one in shown),
+        name=name, title=", ".join(one.label for one in shown),
         idea="A reflectance as an object to examine: what it sends where, and what it breaks.", slides=(), prose="",
         scene=scene([(one.label, one.model, one.colour, one.prefix) for one in shown if one.model]),
         plot=plots(shown), readouts=readouts, models=models,

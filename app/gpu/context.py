@@ -12,7 +12,6 @@ import re
 import sys
 import threading
 from functools import cache
-from typing import Any
 
 import moderngl
 
@@ -75,6 +74,9 @@ class EglContext:
 
     load = load_opengl_function
 
+    def let_go(self) -> None:
+        self.egl.eglMakeCurrent(self.display, None, None, None)
+
     def __enter__(self) -> None:
         egl = self.egl
         now = (egl.eglGetCurrentDisplay(), egl.eglGetCurrentSurface(DRAW), egl.eglGetCurrentSurface(READ),
@@ -92,8 +94,30 @@ class EglContext:
 
 
 def context() -> moderngl.Context:
-    """The thread's own context for rendering without a window: a context is current in one thread at a time."""
-    return of_thread(threading.get_ident())
+    """The thread's own context for rendering: a context is current in one thread at a time. A window's is adopted."""
+    thread = threading.get_ident()
+    return adopted[thread] if thread in adopted else of_thread(thread)
+
+
+adopted: dict[int, moderngl.Context] = {}  # by thread
+
+
+def adopt(ctx: moderngl.Context | None) -> None:
+    """From now on this thread renders with a window's context; None: with its own again."""
+    if ctx is None:
+        adopted.pop(threading.get_ident(), None)
+    else:
+        adopted[threading.get_ident()] = ctx
+
+
+def step_aside() -> None:
+    """Leave nothing of ours current in this thread: a window is about to make a context of its own (GLX refuses one
+    where EGL has another)."""
+    if made := standing.pop(threading.get_ident(), None):
+        made.let_go()
+
+
+standing: dict[int, EglContext] = {}  # the last one made in a thread
 
 
 @cache
@@ -103,8 +127,10 @@ def of_thread(thread: int) -> moderngl.Context:
         os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # Mesa's own words say less than the sentence below
         for platform in (SURFACELESS, DEVICE, None):  # None: EGL's default display
             try:
-                given: Any = {"context": EglContext(platform)} if platform else {"standalone": True, "backend": "egl"}
-                return moderngl.create_context(require=330, **given)
+                if not platform:
+                    return moderngl.create_context(require=330, standalone=True, backend="egl")  # type: ignore[arg-type]
+                standing[thread] = EglContext(platform)
+                return moderngl.create_context(require=330, context=standing[thread])  # type: ignore[arg-type]
             except Exception as error:  # whatever a driver raises, the next way may work
                 tried.append(str(error))
     try:
@@ -142,6 +168,10 @@ def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.As
         try:
             programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,
                                          fragment_shader=fragment.text if fragment else None)
+        except KeyError:  # moderngl has includes of its own, and sees them in remarks too
+            lines = (line for part in (vertex, fragment) if part for line in part.lines if "#include" in line.text)
+            at = next(lines)
+            raise Problem(f"{at.file}, line {at.number}: an #include stands on a line of its own.") from None
         except moderngl.Error as error:
             raise Problem(compiler_message(str(error), vertex, fragment)) from None
     return programs[key]

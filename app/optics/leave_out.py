@@ -65,6 +65,18 @@ def point_light_error(light_shape, light_height, panel_width, panel_tilt):
     return np.where(brightest > 0, worst / np.where(brightest > 0, brightest, 1), 0.0)[()]
 
 
+def point_lights_error(light_height, panel_width, panel_tilt):
+    """The same of the worst of the four shapes, for a scene that shows them all.
+
+    max point_light_error over light_shape 0 .. 3
+
+    light_height, panel_width (...) m, panel_tilt (...) rad. Returns (...). Errors: those of point_light_error.
+    Source: measured here.
+    """
+    each = [point_light_error(shape, light_height, panel_width, panel_tilt) for shape in range(4)]
+    return np.max(np.stack(np.broadcast_arrays(*each)), 0)[()]
+
+
 def f_material_schlick(l_dot_h, material):
     """The share a material reflects in red, green and blue by Schlick's fit: no wavelengths, one power.
 

@@ -7,7 +7,7 @@ from imgui_bundle import ImVec2, imgui
 from app import edit, own_models
 from app.edit import SCENE, Function
 from app.problem import Problem
-from app.viewer import style, text_panel
+from app.viewer import style
 from app.viewer.code_editor import CodeEditor
 
 MOST = 0.55  # of the column, the code
@@ -79,7 +79,7 @@ class EditorPanel:
         self.buttons(name)
         imgui.separator()
         imgui.begin_child("prose")
-        text_panel.draw(self.app)
+        self.app.text_column()
         imgui.end_child()
 
     def choice(self, function: Function) -> None:

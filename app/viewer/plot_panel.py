@@ -5,7 +5,7 @@ from imgui_bundle import ImVec2, imgui
 
 from app import needs
 from app.edit import EDITED, marked
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, ModelPlot, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
 from app.plots.wire import Spot
 from app.problem import Problem
@@ -108,7 +108,8 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-        triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
+        triangles = None if isinstance(plot, ModelPlot) else values.get("triangles")  # a model is of no mesh
+        shown = {k: v for k, v in values.items() if k != "triangles"}
         wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:

@@ -13,6 +13,7 @@ from imgui_bundle import ImVec2, hello_imgui, imgui
 from app import tables
 from app.catalog import BOARD
 from app.edit import CODE, EDITED
+from app.gpu.context import adopt, step_aside
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
@@ -21,7 +22,7 @@ from app.progress import Progress
 from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import bar, break_panel, controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, break_panel, controls, glfw, leave_panel, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
@@ -77,10 +78,12 @@ class Window:
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
         self.own.take_maps(maps)
+        step_aside()
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        adopt(self.ctx)
         self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         glfw.least_size(*LEAST)
         self.drop_callback = glfw.on_drop(self.dropped.extend)
@@ -94,6 +97,7 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+        adopt(None)
 
     def after_swap(self) -> None:
         """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
@@ -128,7 +132,7 @@ class Window:
             self.session.save()  # a crash loses seconds, not a lesson
         if self.editor.typed_at and time.monotonic() - self.editor.typed_at > REST:
             self.editor.typed_at = 0.0
-            self.session.save()  # of what is typed, a crash loses less than a word
+            self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
@@ -198,6 +202,7 @@ class Window:
                 self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
+            leave_panel.draw(self)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
 
