@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import NoReturn
 
 from app import VERSION
+from app.display import has_display
 from app.problem import Problem, Usage, near
 
 INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
@@ -142,13 +143,6 @@ def course(options: argparse.Namespace) -> int:
     if not options.output:
         print("There is no display for a window here, so the lessons become pictures and a page to open in a browser.")
     return int(import_module("app.export.gallery").run(options) or 0)
-
-
-def has_display() -> bool:
-    """Whether a window can open; without DISPLAY nothing of the window is imported."""
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        return False
-    return bool(import_module("app.viewer.glfw").has_display())
 
 
 # --- pictures --------------------------------------------------------------------------------------------------------

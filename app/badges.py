@@ -83,8 +83,8 @@ def check(reflect: Callable, *, shading: bool = False, of_radiance: bool = False
 def of_model(model: Model, values: dict) -> dict[str, Badge]:
     """The badges of a step's model at the step's values. A model of the board judges itself, in every channel."""
     if ":" in model.term.function:
-        values = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0)["values"]
-        return import_module("app.board.terms").badges(model.term.function, values)
+        packed = bound(model.term, {"channel": 0, **values}, n=0, l=0, v=0)["values"]
+        return import_module("app.board.terms").badges(model.term.function, packed, values.get(EDITED, ()))
 
     def reflect(n, l, v, radiance=1.0):
         return evaluate(model.term, values, n=n, l=l, v=v, radiance=radiance)

@@ -130,9 +130,7 @@ def chapters(folder: Path = LESSONS) -> tuple[Loaded, ...]:
 @cache
 def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
     """Every step of the course, in order."""
-    declared = studies(folder)
-    return tuple(LoadedStep(found, replace(step, study=declared.get(f"{found.id}/{step.name}", step.study)), i)
-                 for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
+    return tuple(LoadedStep(found, step, i) for found in chapters(folder) for i, step in enumerate(found.chapter.steps))
 
 
 @cache
@@ -186,7 +184,9 @@ def load(file: Path) -> Loaded:
     chapter = getattr(module, "CHAPTER", None)
     if not isinstance(chapter, Chapter):
         return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
-    return Loaded(id, number, file, intro, chapter)
+    declared = studies(file.parent)
+    studied = tuple(replace(step, study=declared.get(f"{id}/{step.name}")) for step in chapter.steps)
+    return Loaded(id, number, file, intro, replace(chapter, steps=studied))
 
 
 def module_of(file: Path) -> ModuleType:
@@ -215,6 +215,8 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     found = [(f"readout {r.label!r}", r.term, data) for r in step.readouts]
     found.append(("prediction", step.ask.truth, data))
     found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
+    found += [(f"leave-out {one.label!r}", one.error, data) for one in step.leave_outs
+              if isinstance(one.error, Term)]
     for plot in step.plots:
         if isinstance(plot, Curves):
             found += [(f"curve {c.label!r}", c.term, data | {plot.sweep}) for c in plot.curves]

@@ -1,4 +1,4 @@
-"""What a class does with a step: it guesses, breaks it, writes the function itself. Frozen data, of app/lesson.py."""
+"""What a class does with a step: it guesses, breaks it, leaves out, writes a function itself. Data of app/lesson.py."""
 
 from dataclasses import dataclass, field
 from typing import Literal
@@ -40,6 +40,19 @@ class Break:
     functions: dict[str, str]  # a stable function of the scene -> its naive form, of the same arguments
     sets: dict[str, Number]  # the extreme, in screen units
     told: str  # what a class should remember
+
+
+@dataclass(frozen=True)
+class LeaveOut:
+    """Something the scene does without where its values allow it. The decision is the scene's, the error it accepts is
+    shown, and a person can decide otherwise."""
+
+    label: str  # what is left out
+    error: Term | float  # what that costs, as a share: 0.01 is one percent
+    limit: float  # it is left out where it costs less
+    instead: str  # what stands in for it
+    without: dict[str, str] = field(default_factory=dict)  # functions of the scene -> those instead, where it is out
+    within: dict[str, str] = field(default_factory=dict)  # the same where it is in: the scene is written without it
 
 
 @dataclass(frozen=True)

@@ -8,16 +8,19 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
+from importlib import import_module
 
 from app import shader
 from app.catalog import LoadedStep, terms
 from app.gpu.stage_text import Source, programs
 from app.lesson import Plot, Term
 from app.problem import Problem
+from app.prose import links
 from app.shader import WIDTH, Overrides, Signature
 
 EDITED = "edited"  # among a step's values: Overrides
 YOURS = "your "  # how a text is named to a person, before its function's name
+CODE = "code:"  # how a link of the prose leads to a function
 SCENE = "scene"  # the include of a scene's own text
 COURSE = ("optics/", "core/", "display/")  # of glsl/: formulas and their helpers; glsl/stage is machinery
 MESSAGE = re.compile(rf"^{YOURS}(\w+), line (\d+): (.*)$", re.M)
@@ -39,7 +42,7 @@ class Function:
         return shader.signatures(self.text)[self.name]
 
 
-@cache
+@lru_cache(256)
 def functions(found: LoadedStep) -> dict[str, Function]:
     """What may be edited: the scene's own functions, then those of glsl/ that the scene, a model or a number needs."""
     return functions_of(source_of(found), (term.function for _, term, _ in terms(found.step)))
@@ -56,6 +59,9 @@ def functions_of(source: Source, called: Iterable[str] = ()) -> dict[str, Functi
     compiled = {name for one in made for name in one.kept}
     files = dict.fromkeys(file for one in made for file in one.files)
     found = written(own, SCENE, compiled)
+    for one in source.scene.texts:  # a user's model on the board
+        lines = [shader.Line(line, one.file, i) for i, line in enumerate(one.text.split("\n"), one.first)]
+        found |= written(lines, one.name, compiled)
     for include in (file.removeprefix("glsl/") for file in files):
         if include.startswith(COURSE):
             text = shader.read(include).split("\n")
@@ -84,21 +90,35 @@ def alone(function: str) -> shader.Assembled:
     return shader.assemble(f'#include "{include}"', function, entry=(function,))
 
 
+def spoken_of(found: LoadedStep) -> list[str]:
+    """The functions that the prose leads to, then those of the step's models."""
+    linked = [link.target.removeprefix(CODE) for link in links(found.step.prose) if link.target.startswith(CODE)]
+    return list(dict.fromkeys([*linked, *(model.term.function for model in found.step.models)]))
+
+
 # --- a text in the place of a function -------------------------------------------------------------------------------
 def overrides(texts: Mapping[str, str], known: Mapping[str, Function], source: Source) -> Overrides:
     """What `assemble` reads in place of the course's files. A file's other lines keep their numbers."""
     found: dict[str, shader.Source] = {}
     for name, text in sorted(texts.items()):
         function = known[name]
-        whole = found.get(function.include) or (
-            shader.Source(source.scene.glsl, source.file, source.first) if function.include == SCENE else
-            shader.Source(shader.read(function.include), function.file))
+        whole = found.get(function.include) or included(function, source)
         lines = whole.text.split("\n")
         at, count = function.first - whole.first, function.text.count("\n") + 1
         lines[at:at + count] = [f'#include "{YOURS}{name}"', *[""] * (count - 1)]
         found[function.include] = shader.Source("\n".join(lines), whole.file, whole.first)
         found[YOURS + name] = shader.Source(text, YOURS + name)
     return tuple(sorted(found.items()))
+
+
+def included(function: Function, source: Source) -> shader.Source:
+    """The whole text that a function stands in."""
+    for one in source.scene.texts:
+        if one.name == function.include:
+            return shader.Source(one.text, one.file, one.first)
+    if function.include == SCENE:
+        return shader.Source(source.scene.glsl, source.file, source.first)
+    return shader.Source(shader.read(function.include), function.file)
 
 
 def among_values(texts: Mapping[str, str], known: Mapping[str, Function], source: Source) -> dict[str, Overrides]:
@@ -164,7 +184,7 @@ def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Ov
     """The twins of the step's numbers, plots and models that are made of the texts."""
     edits = among_values(texts, functions(found), source_of(found)).get(EDITED, ())
     for function in dict.fromkeys(term.function for _, term, _ in terms(found.step)):
-        if follows(function, edits):
+        if ":" not in function and follows(function, edits):
             yield function, edits
 
 
@@ -172,6 +192,8 @@ def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Ov
 @lru_cache(1024)
 def follows(function: str, edits: Overrides) -> bool:
     """Whether a twin is made of one of the texts: then its GLSL is evaluated, in float32."""
+    if ":" in function:  # a model of the board
+        return bool(edits) and import_module("app.board.edited").is_edited(function.partition(":")[2], edits)
     if not edits or function not in shader.catalogue():
         return False
     signature, mine = shader.catalogue()[function][1], {name.removeprefix(YOURS) for name, _ in edits}

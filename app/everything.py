@@ -3,6 +3,8 @@
 Vertices, surfaces and pixels stay the scene's own; only what colours a pixel becomes glsl/display/everything.glsl.
 """
 
+import numpy as np
+
 from app import shader
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Programs, programs
@@ -20,11 +22,17 @@ FEATURES = {  # what the yardstick has on -> the files of which a scene that nee
     "maps": ("maps",),
     "exposure and tone curve": ("exposure",),
 }
+MAP = np.random.default_rng(1).integers(60, 256, (64, 64, 4)).astype(np.uint8)  # a map of roughness, filtered by hand
 SHADES = ("surface", "mesh")  # the programs that colour surfaces
 
 
 class EverythingOn(Stage):
     """A stage whose surfaces are coloured by the yardstick."""
+
+    def place(self, triangles: np.ndarray | None) -> None:
+        super().place(triangles)
+        if all(table.uniform != "roughness_map" for table in self.scene.tables):
+            self.hold("roughness_map", MAP)
 
     def texts(self, names: tuple[str, ...] | None) -> Programs:
         text = shader.read("stage/shade.frag").replace("shade(s)", "everything(s.position, s.normal, s.v)")

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Verdicts:
-    """What is known of a text. `finding` has the tests, the misconceptions and a plot; without one, `said` tells why."""
+    """What is known of a text: `finding` has tests, misconceptions and a plot; without one, `said` tells why."""
 
     exercise: str
     text: str = field(repr=False)

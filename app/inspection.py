@@ -9,6 +9,7 @@ from app import shader
 from app.badges import as_json, of_model
 from app.catalog import LoadedStep, step
 from app.gpu.stage_text import Programs, programs, vertices
+from app.leaving import decisions, lean
 from app.lesson import Scene
 from app.problem import Usage
 from app.state import parse
@@ -47,6 +48,7 @@ class Inspection:
     left_out: tuple[str, ...]  # sentences
     faults: tuple[str, ...]  # what a test refuses
     badges: dict[str, dict]  # of its models at these values: label -> badge -> ok, worst, at
+    decisions: tuple[str, ...] = ()  # what it does without at these values, and what that costs
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -70,8 +72,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
-    scene = found.step.scene
     values = values or {name: spec.default for name, spec in found.values.items()}
+    made = decisions(found, values)
+    found = lean(found, made)
+    scene = found.step.scene
     texts = programs(scene, found.file_name, found.glsl_line)
     own = set(shader.signatures(scene.glsl))
     kept = {name for pair in texts.values() for part in pair if part for name in part.kept}
@@ -87,7 +91,8 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
         passes, vertices(scene, triangles(scene, values), values), table_sizes(scene, values), packages(found),
         ("window", "plot (pyvista and VTK, on its own)"),
         tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts),
-        {model.label: as_json(of_model(model, values)) for model in found.step.models})
+        {model.label: as_json(of_model(model, values)) for model in found.step.models},
+        tuple(one.words for one in made))
 
 
 def one_pass(name: str, pair: tuple[shader.Assembled, shader.Assembled | None], scene: Scene) -> Pass:
@@ -202,7 +207,7 @@ def words(found: Inspection) -> str:
     lines += [f"badges      {label}: {listed(name if one['ok'] else f'NOT {name}' for name, one in badges.items())}"
               for label, badges in found.badges.items()]
     lines += [f"process     {listed(found.processes)}", "", "left out"]
-    lines += [f"  {sentence}" for sentence in found.left_out]
+    lines += [f"  {sentence}" for sentence in (*found.decisions, *found.left_out)]
     lines += [f"  not called: {listed(found.functions_left_out)}"] * bool(found.functions_left_out)
     lines += ["", "faults", *(f"  {sentence}" for sentence in found.faults)] if found.faults else []
     return "\n".join(lines)

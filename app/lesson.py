@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
-from app.classroom import Break, Check, Choice, Exercise, Prediction  # noqa: F401  lessons import all from here
+from app.classroom import Break, Check, Choice, Exercise, LeaveOut, Prediction  # noqa: F401  lessons import all here
 from app.worded import Number, Term, Worded, vocabulary  # noqa: F401
 
 Colour = Literal["n", "l", "v", "h", "r", "exact", "estimate", "printed", "lost", "d", "g", "f", "quiet"]
@@ -316,7 +316,7 @@ class Step:
     title: str
     idea: str  # the one sentence to take home
     slides: tuple[str, ...]  # titles of the deck
-    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values
+    prose: str  # Markdown with $...$; a link [words](?tilt=80) sets values, (code:d_beckmann) opens GLSL
     scene: Scene
     plot: Plot | tuple[Plot, ...]
     readouts: tuple[Readout, ...]
@@ -330,6 +330,7 @@ class Step:
     beyond: bool = False  # beyond the deck
     study: Study | None = None  # of lessons/studies.py
     breaks: tuple[Break, ...] = ()
+    leave_outs: tuple[LeaveOut, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:

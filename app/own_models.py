@@ -14,7 +14,7 @@ from pathlib import Path
 
 from app import files, optics, shader
 from app.catalog import LoadedStep
-from app.edit import EDITED, among_values, follows, functions, source_of
+from app.edit import EDITED, among_values, follows, functions, overrides, source_of
 from app.lesson import Model, Term
 from app.problem import Problem, Usage
 from app.progress import data_folder
@@ -23,6 +23,7 @@ from app.terms import bound
 
 NAME = re.compile(r"[A-Za-z]\w{0,39}")
 KEPT = re.compile(r'^(?:// )?(\{"halfway": .*\})\s*$', re.M)
+OWN = re.compile(r"^::begin halfway$.*?^::end halfway$\n?", re.M | re.S)
 BRDF, GLSL = ".brdf", ".glsl"
 GIVEN = {"n": "N", "l": "L", "v": "V", "radiance": "1.0"}
 FIRST = "brdf_cook_torrance"  # of several models made of the texts
@@ -78,8 +79,9 @@ def save(name: str, found: LoadedStep, texts: Mapping[str, str], values: dict) -
         raise Usage(f"{there} is there already{f', of {before.step}' if before else ''}; take another name.")
     about = json.dumps({"halfway": {"step": found.id, "texts": dict(texts)}}, ensure_ascii=False)
     model = reflectance(found, texts)
-    whole = brdf(model, found, texts, values, about) if model else alone(found, texts, about)
-    path = folder() / f"{name}{BRDF if model else GLSL}"
+    judged = of_file(found, texts, about) or (brdf(model, found, texts, values, about) if model else "")
+    whole = judged or alone(found, texts, about)
+    path = folder() / f"{name}{BRDF if judged else GLSL}"
     try:
         folder().mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -96,8 +98,28 @@ def reflectance(found: LoadedStep, texts: Mapping[str, str]) -> Model | None:
     named = [model for model in found.step.models if follows(model.term.function, edits)]
     others = [name for name in optics.names() if name.startswith(("brdf_", "shading_")) and follows(name, edits)]
     others.sort(key=lambda name: (name != FIRST, name))
+    named = [model for model in named if ":" not in model.term.function]  # the board's are among the others
     candidates = [*named, *(Model(name, Term(name)) for name in others)]
     return next((model for model in candidates if parameters(model) is not None), None)
+
+
+def of_file(found: LoadedStep, texts: Mapping[str, str], about: str) -> str:
+    """On the board, a user's file with the texts in it, its names without the prefix they have in the scene."""
+    known, changed = functions(found), dict(overrides(texts, functions(found), source_of(found)))
+    for one in found.step.scene.texts:
+        if one.name not in changed:
+            continue
+        prefix = one.name.removesuffix("text")
+        mine = {name: text for name, text in texts.items() if known[name].include == one.name}
+        glsl = one.text
+        for name, text in mine.items():
+            glsl = glsl.replace(known[name].text, text)
+        lines = Path(one.file).read_text("utf-8").split("\n")
+        begin, end = one.first - 1, one.first + one.text.count("\n")
+        plain = re.sub(rf"\b{prefix}(?=\w)", "", glsl)
+        whole = OWN.sub("", "\n".join([*lines[:begin], plain, *lines[end:]])).strip()
+        return f"{whole}\n::begin halfway\n{about}\n::end halfway\n"
+    return ""
 
 
 def parameters(model: Model) -> list[shader.Argument] | None:

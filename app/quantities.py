@@ -249,6 +249,7 @@ TABLE: dict[str, Quantity] = {
     # bumps, from near and from afar
     "bump_slope": Quantity(r"\sigma", "", 0.01, 0.5, 0.2, "RMS slope of the bumps along one axis", (1e-3, 1.0)),
     "bumps": Quantity("K", "", 2.0, 2000.0, 8.0, "bumps side by side across the ball", (0.1, 1e4), "log"),
+    "filtering": Quantity("k", "", 0, 3, 2, "a pixel's light: its middle, N places, m_eff, Toksvig", kind="int"),
     # plausible shading
     "coupling": Quantity("k", "", 0, 3, 3, "how body and mirror share the light: the last is in and out", kind="int"),
     "luminance": Quantity("L_v", "cd/m^2", 0.1, 1e4, 25.0, "light towards the eye, per area seen", (1e-6, 1e9), "log"),

@@ -11,12 +11,8 @@ from pathlib import Path
 from app import prediction
 from app.breaking import broken, values_of
 from app.catalog import BOARD, LoadedStep, chapters, step, steps
-<<<<<<< HEAD
-from app.lesson import Break, Number, Plot
-=======
 from app.edit import Function, among_values, functions, source_of
-from app.lesson import Number, Plot
->>>>>>> integ
+from app.lesson import Break, Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
 from app.problem import Problem, Usage, near
@@ -240,7 +236,15 @@ class Session:
         self.revision += done
         return done
 
-<<<<<<< HEAD
+    # --- what one leaves out -----------------------------------------------------------------------------------------
+    def decide(self, label: str, is_out: bool | None) -> None:
+        """Leave something out, or keep it, whatever the scene thinks; None: as the scene thinks."""
+        if is_out is None:
+            self.visit.decided.pop(label, None)
+        else:
+            self.visit.decided[label] = is_out
+        self.revision += 1
+
     # --- what one breaks ---------------------------------------------------------------------------------------------
     @property
     def broken(self) -> Break | None:
@@ -268,7 +272,6 @@ class Session:
             self.change(before, self.view)
             self.revision += 1
 
-=======
     # --- what one types ----------------------------------------------------------------------------------------------
     @property
     def functions(self) -> dict[str, Function]:
@@ -317,7 +320,6 @@ class Session:
     def bring_back(self, name: str) -> None:
         self.type(name, self.visit.aside.pop(name, self.text(name)))
 
->>>>>>> integ
     # --- what one guesses --------------------------------------------------------------------------------------------
     @property
     def answer(self) -> Answer:

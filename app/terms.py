@@ -5,6 +5,8 @@ Where a text of the user's own is part of the twin (`edit.EDITED` among the valu
 The unit vectors n, l, v and h are no values: they follow from the angles theta_l, theta_v and phi, n being +z.
 """
 
+from importlib import import_module
+
 import numpy as np
 
 from app.edit import EDITED, follows
@@ -50,6 +52,8 @@ def evaluate(term: Term, values: dict, precision: str = "float64", ctx=None, **s
     yours = follows(term.function, edits)
     if precision == "float64" and not yours:
         return np.asarray(twin(term.function)(**args))
+    if ":" in term.function:
+        return np.asarray(import_module("app.board.terms").function(term.function, edits)(**args))
     from app.gpu.evaluate import evaluate as on_gpu
 
     return on_gpu(term.function, args, ctx=ctx, overrides=dict(edits) if yours else None)

@@ -159,12 +159,13 @@ def _light_terms(light_shape, radiance, position, **panel):
 
 def _point_error_terms(light_shape, light_height, panel_width, panel_tilt):
     """A difference of two lights over the brightest place: as large as what is rounded in them."""
-    shape, height, width, tilt = (np.asarray(x)[..., None] for x in (light_shape, light_height, panel_width, panel_tilt))
-    light = {"light_shape": shape, "radiance": 1.0, "light_x": 0.0, "light_y": 0.0, "light_height": height,
+    shape, height, width, tilt = (np.repeat(np.asarray(x)[..., None], len(_FLOOR), -1)
+                                  for x in (light_shape, light_height, panel_width, panel_tilt))
+    zero = np.zeros(width.shape)
+    light = {"light_shape": shape, "radiance": 1.0, "light_x": zero, "light_y": zero, "light_height": height,
              "panel_width": width, "panel_depth": width, "panel_tilt": tilt, "position": _FLOOR}
     value = twin("irradiance_light")(**light)
-    terms = value + moved("irradiance_light", light) + _light_terms(**{k: np.broadcast_to(v, value.shape)
-        if k not in ("position",) else v for k, v in light.items()})
+    terms = value + moved("irradiance_light", light) + _light_terms(**light)
     brightest = np.max(value, -1)
     return 2 * np.max(terms, -1) / np.where(brightest > 0, brightest, 1)
 
@@ -285,9 +286,16 @@ def _stored_terms(power, function, roughness_map, map_s, map_t):
     return power * 3.4 * twin(function)(roughness_map, map_s, map_t)
 
 
+def _ball_terms(bumps, bump_slope, m, samples, filtering):
+    """Differences of shares of white, each of them 1 at most; and a wave's turns, 0.63 bumps of them, are rounded: that
+    moves a slope of twice bump_slope by 2 pi bump_slope a turn, and D by twice the slope over m^2."""
+    return 1 + 0.37 * 2 * (2 * bump_slope) * (2 * np.pi * bump_slope) * 0.63 * bumps / m**2
+
+
 TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of functions whose terms can cancel
     "albedo_blinn_phong": _blinn_albedo_terms,
     "aliasing_error": _bump_terms,
+    "ball_error": _ball_terms,
     # a power of 2.4 is rounded before it divides: its condition number cancels in the quotient
     "srgb_gap": lambda encoded: 3.4 * twin("srgb_gap")(encoded),
     "peak_gain": lambda encoded: 6.8 * twin("peak_gain")(encoded),
@@ -302,6 +310,8 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "irradiance_light": _light_terms,
     "irradiance_light_64": partial(_shifted_terms, "irradiance_light_64"),
     "point_light_error": _point_error_terms,
+    "point_lights_error": lambda **lamp: np.max([
+        _point_error_terms(np.full(np.shape(lamp["panel_width"]), kind), **lamp) for kind in range(4)], 0),
     "irradiance_outline": _panel_terms,
     "light_irradiance_below": _below_terms,
     "irradiance_polygon_light": lambda radiance, corners, corner_count: (

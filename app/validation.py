@@ -5,7 +5,7 @@ import re
 from collections.abc import Callable, Collection, Iterator
 from typing import get_args
 
-from app import breaking, prose, shader
+from app import breaking, edit, leaving, prose, shader
 from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
 from app.lesson import Colour, Curves, Faces, Ledger, ModelPlot, Number, Scene
 from app.optics import arguments, names
@@ -78,6 +78,7 @@ def faults(found: LoadedStep) -> Faults:
     yield from scene_faults(found)
     yield from model_faults(found)
     yield from breaking.faults(found)
+    yield from leaving.faults(found)
     step = found.step
     for kind in PROSE:
         if wrong := prose.balanced(getattr(step, kind)):
@@ -169,6 +170,10 @@ def setting_faults(found: LoadedStep) -> Faults:
     for link in prose.links(step.prose):
         if link.target.startswith("?"):
             yield from told(link.target, parse_query, link.target[1:], found)
+        elif link.target.startswith(edit.CODE):
+            name, known = link.target.removeprefix(edit.CODE), edit.functions(found)
+            if name not in known:
+                yield link.target, f"a link leads to {name}, and the step compiles no such function.{near(name, known)}"
         elif link.sets_values:
             yield from told(link.target, parse, link.target, found.file.parent)
 

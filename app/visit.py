@@ -18,6 +18,7 @@ class Visit:
     texts: dict[str, str] = field(default_factory=dict)  # function -> what was typed in its place, right or wrong
     aside: dict[str, str] = field(default_factory=dict)  # what was typed before the course's text was restored
     running: dict[str, str] = field(default_factory=dict)  # the last texts that compiled: what is shown
+    decided: dict[str, bool] = field(default_factory=dict)  # in or out by hand, not by the scene
     past: list[Snapshot] = field(default_factory=list)
     future: list[Snapshot] = field(default_factory=list)
     before: Snapshot | None = None  # while a drag is on

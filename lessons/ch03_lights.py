@@ -17,6 +17,7 @@ from app.lesson import (
     Figure,
     Handle,
     Label,
+    LeaveOut,
     Ledger,
     LedgerRow,
     Mark,
@@ -1307,6 +1308,11 @@ make of the same number. 5 minutes.
     values=(Value("light_shape", 2, choices=SHAPES), Value("light_height", 0.7, low=0.06, high=3.0),
             Value("panel_width", 0.8, low=0.1, high=1.2), Value("panel_tilt", 0.0, low=-88.0, high=88.0),
             Value("radiance", 10.0, low=1.0, high=30.0, more=True)),
+    leave_outs=(
+        LeaveOut("64 samples of a lamp", 0.0, 1e-6, "One formula", within={"irradiance_light": "irradiance_light_64"}),
+        LeaveOut("the lamps' size", Term("point_lights_error"), 1e-2, "A point",
+                 without={"irradiance_light": "irradiance_light_point"}),
+    ),
     minutes=5,
 )
 

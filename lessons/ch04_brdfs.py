@@ -571,7 +571,7 @@ LAMBERT = Step(
 Reflected and scattered light are modelled apart and added: a **specular** and a **diffuse** BRDF. The simplest diffuse one
 is a constant: scattered light has forgotten where it came from.
 
-Which constant? White means that all the light comes back:
+[Which constant](code:brdf_lambert)? White means that all the light comes back:
 
 $$1 = \int_\Omega f_d \cos\theta\,d\omega = f_d \sum \colour{v}{\cos\theta\,\Delta\Omega} \quad\Rightarrow\quad f_d = \frac{1}{\pi}$$
 
@@ -706,7 +706,7 @@ Varnish mirrors, but not sharply: it sends light *near* the $\colour{r}{\text{mi
 
 $$\colour{r}{r} = 2\,\colour{n}{n}\,(\colour{n}{n}\cdot\colour{l}{l}) - \colour{l}{l}$$
 
-Phong's guess of 1975: let it fall off as a power of a cosine. The exponent is the tightness.
+Phong's guess of 1975: let it fall off as a [power of a cosine](code:lobe_phong). The exponent is the tightness.
 
 $$L_o = \left(k_d\,\colour{n}{n}\cdot\colour{l}{l} + k_s\,(\colour{r}{r}\cdot\colour{v}{v})^n\right) L_i$$
 
@@ -847,7 +847,7 @@ A small mirror sends light from $\colour{l}{l}$ to $\colour{v}{v}$ if its normal
 $$\colour{h}{h} = \frac{\colour{v}{v} + \colour{l}{l}}{|\colour{v}{v} + \colour{l}{l}|}, \qquad
 k_s\,(\colour{n}{n}\cdot\colour{h}{h})^{n'}$$
 
-So $(n\cdot h)$ asks how far the facets must tilt. Move the eye by an angle: $\colour{r}{r}$ is off by all of it,
+So $(n\cdot h)$ asks [how far the facets must tilt](code:lobe_blinn). Move the eye by an angle: $\colour{r}{r}$ is off by all of it,
 $\colour{h}{h}$ by half. For equal width Blinn's exponent is four times Phong's, and the two halves of the picture have that.
 
 Out of the plane it is different. [High over the road](?theta_v=50&theta_l=50) they are still alike. Now [at eye level](?theta_v=80&theta_l=80): Phong
@@ -1016,7 +1016,7 @@ $$\colour{printed}{\int_\Omega (n\cdot h)^n \cos\theta\,d\omega} = \frac{8\pi\,(
 With $k_s = 1$ [exponent 5](?exponent=5&k_s=1) gives twice what arrives, [exponent 1000](?exponent=1000&k_s=1) a fortieth. An artist then turns $k_s$ up
 by hand, after every polish again.
 
-The $\colour{exact}{\text{lower row}}$ divides by the integral. Now the exponent changes the shape alone, and $k_s$ is what it
+The $\colour{exact}{\text{lower row}}$ [divides by the integral](code:normalisation_blinn_phong). Now the exponent changes the shape alone, and $k_s$ is what it
 says: the share sent back.
 """,
     scene=Scene(
@@ -1133,7 +1133,7 @@ BLINN_PHONG_BRDF = Step(
     idea="The factor is exact seen along the normal; at a slant Blinn-Phong loses light, down to the cosine squared.",
     slides=("Converting the Blinn-Phong Model to BRDF", "Blinn-Phong BRDF (1)", "Blinn-Phong BRDF (2)"),
     prose=r"""
-From shading formula to BRDF in three moves: take out the cosine, divide the diffuse part by $\pi$, multiply the highlight by
+From shading formula [to BRDF](code:brdf_blinn_phong) in three moves: take out the cosine, divide the diffuse part by $\pi$, multiply the highlight by
 $f_n$.
 
 $$f = \frac{k_d}{\pi} + k_s\,\frac{(n+2)(n+4)}{8\pi(n+2^{-n/2})}\,(\colour{n}{n}\cdot\colour{h}{h})^n, \qquad k_d + k_s \le 1$$

@@ -176,7 +176,7 @@ $$m = \colour{h}{h} = \frac{\colour{l}{l} + \colour{v}{v}}{|\colour{l}{l} + \col
 so a facet is on or off. A lamp has a size; then $m$ may miss by a little, the $\colour{h}{\text{ring}}$. The facets in it
 **light up**.
 
-Count them. Their share, over the ring's size seen from above, is $\colour{d}{D(h)}$: so many per steradian. Move the
+Count them. Their share, over the ring's size seen from above, is $\colour{d}{D(h)}$: so many [per steradian](code:d_beckmann). Move the
 eye into the [mirror direction](?theta_v=35), then [off to the side](?phi=90): the ring leaves the crowd. Take a
 [small lamp](?half_angle=0.5): the count starts to jump. Make the plate [smoother](?m=0.12).
 """,
@@ -552,8 +552,9 @@ COOK_TORRANCE = Step(
     idea="A rough mirror is a product: how many facets face h, how many of them are free, and how much each reflects.",
     slides=(COOK_TORRANCE_MODEL(1), COOK_TORRANCE_MODEL(2)),
     prose=r"""
-Which facets send light from $\colour{l}{l}$ to $\colour{v}{v}$? Those that face $\colour{h}{h}$: $\colour{d}{D}$ says how
-many. Of these a share $\colour{g}{G}$ stands free, and each reflects a share $\colour{f}{F}$.
+Which facets send light from $\colour{l}{l}$ to $\colour{v}{v}$? Those that face $\colour{h}{h}$: $\colour{d}{D}$ says
+[how many](code:d_beckmann). Of these a share $\colour{g}{G}$ [stands free](code:g_vgroove), and each
+[reflects a share](code:f_schlick) $\colour{f}{F}$.
 
 $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)}$$
 
@@ -699,7 +700,7 @@ DISTRIBUTION = Step(
     prose=r"""
 Every dot is the normal of one of 2000 facets. Count those in the $\colour{l}{\text{ring}}$ at the angle $a$, divide by all,
 and by the ring's size seen from above: that is $\colour{d}{D(a)}$, a **density per steradian**. The bars are counted, the
-line is a formula.
+line is a [formula](code:d_at).
 
 Seen from above, the facets cover the plate once, neither more nor less:
 
@@ -850,11 +851,11 @@ $-3m$ to $3m$, computed by your graphics card in float32.
 
 $$D = \frac{e^{-\tan^2 a/m^2}}{\pi m^2 \cos^4 a}$$
 
-The $\colour{lost}{\text{expensive}}$ way takes $a = \arccos(n\cdot h)$. The $\colour{printed}{\text{fast}}$ one takes
+The $\colour{lost}{\text{expensive}}$ [way](code:d_beckmann_acos_naive) takes $a = \arccos(n\cdot h)$. The $\colour{printed}{\text{fast}}$ [one](code:d_beckmann_naive) takes
 $\tan^2 a = (1-\cos^2 a)/\cos^2 a$. Both begin with a cosine near 1, and the angle sits in the digits that are not there.
 Polish: [0.01](?m=0.01), [0.001](?m=0.001), [0.0002](?m=0.0002).
 
-The $\colour{exact}{\text{stable}}$ one never asks for the cosine: $\tan^2 a = |n\times h|^2/(n\cdot h)^2$.
+The $\colour{exact}{\text{stable}}$ [one](code:d_beckmann) never asks for the cosine: $\tan^2 a = |n\times h|^2/(n\cdot h)^2$.
 
 Our copy of the slide also lacks the minus: the $\colour{r}{\text{dash-dotted}}$ line.
 """,
@@ -975,7 +976,7 @@ BECKMANN_ONLY = Step(
     idea="D alone already makes metal; m is its width in slope, and 2/m² - 2 the exponent of an equally wide cosine lobe.",
     slides=(DISTRIBUTION_TERM(4),),
     prose=r"""
-The deck's picture: no $F$, no $G$, only $n\cdot l$ and $\colour{d}{D}$. Yet it reads as metal. The row goes from polished to
+The deck's picture: no $F$, no $G$, [only](code:d_lean) $n\cdot l$ and $\colour{d}{D}$. Yet it reads as metal. The row goes from polished to
 rough; the large ball takes your $m$, its left half by Beckmann, its right half by the cosine lobe $\cos^n a$ of **equal
 width**:
 

@@ -43,7 +43,7 @@ $\colour{r}{\text{mirror direction}}$; the rest goes $\colour{estimate}{\text{in
 
 $$\colour{r}{R} + \colour{estimate}{T} = 1, \qquad R = F(l\cdot h)$$
 
-The beams are as wide as their share of the light. If the eye sits at the mirror direction, the halfway vector
+The beams are as wide as their [share of the light](code:f_dielectric). If the eye sits at the mirror direction, the halfway vector
 $\colour{h}{h}$ is the facet's normal: the angle that counts is the one between $l$ and $h$.
 
 Come in [head on](?theta=0), [at 60°](?theta=60), [at a glancing angle](?theta=86). Try [water](?eta=1.333) and
@@ -170,8 +170,8 @@ ANGLE = Step(
 Stand at a lake. At your feet you see stones; far out you see mountains, upside down. The water is the same, the angle
 $\colour{l}{\theta}$ is not: it grows from 20° at your feet towards 90° at the horizon.
 
-The share is a mean of two. Light that swings *across* the plane of incidence ($\colour{estimate}{s}$) is reflected
-more than light that swings *along* it ($\colour{printed}{p}$), and at **Brewster's angle**, $\tan\theta = \eta$, no $p$ is
+The share is a mean of two. Light that swings [*across*](code:f_dielectric_s) the plane of incidence ($\colour{estimate}{s}$) is reflected
+more than light that swings [*along*](code:f_dielectric_p) it ($\colour{printed}{p}$), and at **Brewster's angle**, $\tan\theta = \eta$, no $p$ is
 reflected at all. A polariser picks one: [s only](?polariser=0), [both](?polariser=45), [p only](?polariser=90).
 
 With $p$ only the mirror goes out along the dashed line, and you see the ground there. Photographers know. Walk the
@@ -311,7 +311,7 @@ Now the lamp is **inside** the glass and the air is above: $\eta = 1/1.5$. Rays 
 
 $$\sin\theta_c = \eta$$
 
-Beyond it there is no ray to go out. All light is $\colour{r}{\text{reflected}}$, not nearly all: $F = 1$ exactly. No metal
+Beyond it there is no ray to go out. All light is $\colour{r}{\text{reflected}}$, not nearly all: $F = 1$ [exactly](code:f_dielectric). No metal
 mirror does as well.
 
 Drag the $\colour{l}{\text{ray}}$ from [straight up](?theta=0) to [just before](?theta=41) and
@@ -572,7 +572,7 @@ METALS = Step(
 The deck prints two numbers a metal and channel: $F(0°)$ in **linear** light, and the same for the screen, in **sRGB**. Light
 is computed with the first; the second is only for looking.
 
-The balls are made from measured $n$ and $k$. Under them, three plates: the linear column, the sRGB column, and the
+The balls are made from [measured](code:f_conductor) $n$ and $k$. Under them, three plates: the linear column, the sRGB column, and the
 colour computed from the measurements, at the ring's angle. Gold's red comes out at [1.03](?material=gold&channel=red): more than all the red there
 is. That is no error: gold's yellow is purer than sRGB can show. The stripes mark it.
 
@@ -797,12 +797,12 @@ SCHLICK = Step(
     idea="One power of (1 - l·h) replaces the Fresnel equations to within 0.08, but not for iron and aluminium.",
     slides=(FRESNEL(8),),
     prose=r"""
-Schlick keeps the start and the end and joins them by a fifth power:
+Schlick keeps the start and the end and joins them by a [fifth power](code:f_schlick):
 
 $$\colour{printed}{F} = c_0 + (1-c_0)(1 - l\cdot h)^5$$
 
 Good for glass, plastics, silver, gold. But [iron](?material=iron) and [aluminium](?material=aluminium) *dip* before they rise, and the
-fit does not. One more number mends it: $F$ at 82°, the $\colour{estimate}{\text{F82}}$ form. The rows show the error of
+fit does not. One more number mends it: $F$ at 82°, the $\colour{estimate}{\text{F82}}$ [form](code:f_f82). The rows show the error of
 both; the scale ends at 0.2.
 
 Mind the angle. It is $l\cdot h$, the facet's, and **not** $n\cdot v$. Below, a rough plastic ball with its lamp

@@ -202,7 +202,7 @@ MASKING = Step(
     slides=(GEOMETRIC(2),),
     prose=r"""
 One **V-groove**, cut open. Its left side is a facet with the normal $\colour{h}{h}$, which would mirror light to the eye.
-But the opposite side stands in between: what lies below the line of sight over its ridge is **masked**. The strip before
+But the opposite side [stands in between](code:g_masking): what lies below the line of sight over its ridge is **masked**. The strip before
 the $\colour{v}{\text{eye}}$ is all that arrives.
 
 $$\colour{v}{G_\text{intercept}} = \frac{2\,(n\cdot h)(n\cdot v)}{v\cdot h}$$
@@ -343,7 +343,7 @@ A ploughed field in low sun. In front it is as the $\colour{l}{\text{light}}$ fi
 **shadow**. At the back the same furrows as the $\colour{v}{\text{eye}}$ finds them: below its line of sight they are
 masked. Put both [in the same place](?lean_l=62&lean_v=62): the two edges become one line.
 
-So nothing new has to be derived. Swap the roles:
+So nothing new has to be derived. [Swap the roles](code:groove_shadowing):
 
 $$\colour{l}{G_\text{shadow}} = \frac{2\,(n\cdot h)(n\cdot l)}{l\cdot h}, \qquad l\cdot h = v\cdot h$$
 
@@ -456,7 +456,7 @@ COMBINED = Step(
     idea="G is the least of 1, masking and shadowing; where another of the three becomes the least, G has a crease.",
     slides=(GEOMETRIC(3), "Combined G"),
     prose=r"""
-Masked and shadowed parts of a facet overlap, so only the larger counts:
+Masked and shadowed parts of a facet overlap, so only [the larger counts](code:g_vgroove):
 
 $$G = \min\left\{1,\ \colour{v}{\frac{2(n\cdot h)(n\cdot v)}{v\cdot h}},\ \colour{l}{\frac{2(n\cdot h)(n\cdot l)}{v\cdot h}}\right\}$$
 
@@ -578,8 +578,8 @@ WITH_WITHOUT = Step(
     idea="The product D·G·F is what one sees; without G every grazing view is too bright, and the rougher the more.",
     slides=("Without G", "With G"),
     prose=r"""
-Three factors, three pictures below: $\colour{d}{D}$ says how many facets mirror towards you, $\colour{f}{F}$ how much they
-mirror, and $\colour{g}{G}$ how many are left when the blocked ones are gone. Above, their product over $4 (n\cdot l)(n\cdot v)$
+Three factors, three pictures below: $\colour{d}{D}$ says [how many facets](code:d_beckmann) mirror towards you, $\colour{f}{F}$ [how
+much they mirror](code:f_schlick), and $\colour{g}{G}$ [how many are left](code:geometry_term) when the blocked ones are gone. Above, their product over $4 (n\cdot l)(n\cdot v)$
 for gold, lit from behind: left **with** G, right **without**.
 
 The light comes in low, so $n\cdot l$ is small all along the edge of the day, and $n\cdot v$ along the rim. Without G the
@@ -695,7 +695,7 @@ whichever way it faces, and no creases are left.
 
 $$G_1 = \frac{1}{1 + \Lambda(v)}, \qquad G = \frac{1}{1 + \Lambda(v) + \Lambda(l)}$$
 
-This $G$ knows that a facet that lies **high** is both seen and lit. The older product $G_1(v)\,G_1(l)$ does not, and takes
+This $G$ [knows](code:g_smith_correlated) that a facet that lies **high** is both seen and lit. The [older product](code:g_smith_separable) $G_1(v)\,G_1(l)$ does not, and takes
 too much.
 
 The test: look at the plate. What its facets show you must fill it, no more, no less. The bars add up

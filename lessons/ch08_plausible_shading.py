@@ -14,6 +14,7 @@ from app.lesson import (
     Exercise,
     Handle,
     Label,
+    LeaveOut,
     Ledger,
     LedgerRow,
     Lobes,
@@ -46,7 +47,7 @@ COMPARE = Step(
 A metal vase, twice, and a plastic one, twice. Both models give it the same colour, and with the lamp
 [beside the camera](?theta_d=5) highlights of the same width and peak. Now walk the $\colour{l}{\text{lamp}}$ [behind them](?theta_d=70).
 
-**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes the other way: at the angle
+**Blinn-Phong** keeps its colour and fades with $n\cdot l$. **Cook-Torrance** goes [the other way](code:brdf_matter): at the angle
 $\theta$ its highlight is
 
 $$\frac{\colour{f}{F}(\theta)}{\colour{f}{F_0}\,\cos\theta}$$
@@ -170,7 +171,10 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
             "F₀, the exponent 2/m² - 2. The rougher, the stronger the lamp: peaks stay alike. The room is a look, mirrored in 20 "
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
-    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)), minutes=6,
+    values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
+    leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
+                         without={"f_material": "f_material_schlick"}),),
+    minutes=6,
 )
 
 CURVES = ("cut at 1", "Reinhard", "ACES fit")
@@ -481,7 +485,7 @@ enough**: the light must come *out* through the coat as well.
 
 $$f_d = \frac{\rho\,(1-\colour{f}{F}(n\cdot l))\,(1-\colour{f}{F}(n\cdot v))}{\pi\,(1-\colour{f}{F_\text{avg}})}$$
 
-It is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
+[It](code:body_coupled) is reciprocal, and its ball cannot be seen. Walk the $\colour{v}{\text{rings}}$ [to the rim](?theta_v=85). Try
 [no coat](?f0=0), [diamond](?f0=0.17), [red paint's](?rho=0.6) share. In a **metal** all that enters is lost:
 [no body](?rho=0&f0=0.9).
 """,
@@ -593,9 +597,9 @@ $$f = \frac{\colour{d}{D}\,\colour{g}{G}\,\colour{f}{F}}{4\,(n\cdot l)(n\cdot v)
 Take it apart: [D](?shows=1), [G](?shows=2), [F](?shows=3), [the quotient](?shows=4), the [body](?shows=5),
 [n](?shows=6), [h](?shows=7), and [put it together](?shows=0).
 
-$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$ asks
-only for $l\cdot h$. $D$ alone draws the highlight. **Click** any place of ball or object to pick it, or
-move the $\colour{l}{\text{light}}$: a
+$F$ is **one colour all over**. A fault? No: light and eye are far away, so $\colour{h}{h}$ is the same everywhere, and $F$
+[asks only](code:f_schlick) for $l\cdot h$. $D$ alone [draws the highlight](code:d_beckmann). **Click** any place of ball or
+object to pick it, or move the $\colour{l}{\text{light}}$: a
 [low sun](?theta_v=70&theta_l=70&phi=180) is where $F$ soars. Try [metal](?f0=0.9&rho=0), [rubber](?m=0.7), another shape, or
 drop a mesh of your own on the window.
 """,
@@ -818,10 +822,10 @@ vec4 probe(int i) {
         ),
     ),
     readouts=(
-        Readout("D at the ring, counted", Term("d_bumps_counted", {"facets": 10000}), role="exact", unit="1/sr"),
-        Readout("with m_eff", Term("d_filtered"), role="estimate", unit="1/sr", against="D at the ring, counted"),
-        Readout("by Toksvig's rule", Term("d_toksvig"), role="estimate", unit="1/sr", against="D at the ring, counted"),
-        Readout("bumps forgotten", Term("d_unfiltered"), role="printed", unit="1/sr", against="D at the ring, counted"),
+        Readout("picture off, one place", Term("ball_error", {"filtering": 0}), role="printed", unit="of white"),
+        Readout("N places", Term("ball_error", {"filtering": 1}), unit="of white"),
+        Readout("m_eff", Term("ball_error", {"filtering": 2}), role="estimate", unit="of white"),
+        Readout("Toksvig", Term("ball_error", {"filtering": 3}), role="estimate", unit="of white"),
     ),
     ask=Prediction(
         question="A bumpy mirror seen from afar: is it a mirror? Polished to m = 0.1, with bumps of slope 0.2, it will look as if it "
@@ -833,15 +837,17 @@ vec4 probe(int i) {
     ),
     notes="""
 Pull the knob slowly to the right and stop where the three parts begin to differ, at about 100 bumps. Move the camera a
-little: the left part crawls, the right one rests. Ask which of the three is right, and how one would know: by counting, the
-first number. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
+little: the left part crawls, the right one rests. The numbers say how far off each is: at middle distance the filter only blurs what
+it cannot know, and N places win; far away it beats them. Ask which of the three is right, and how one would know: by
+counting, the white curve of the second plot. Ten thousand bumps give D = 3.60 in the middle; forgotten bumps 31.8, nine times too much, Toksvig 4.08, m_eff
 3.54. Common wrong answer: it stays a mirror, each bump is one. Each is; the pixel is not. The deck's sentence
 "introduce macro-scale irregularities into the BRDF roughness" is this formula. 7 minutes.
 """,
     sources=("Deck, slide Plausible Shading - The Scale Effect", "Olano & Baker 2010, LEAN Mapping",
              "Toksvig 2005, Mipmapping Normal Maps"),
     honesty="Numbers: bumps of normal slopes, equally large from above, the mean of D; G, F and hidden bumps are left out. The "
-            "picture's bumps are six waves, and its light is bent to the screen. The first plot takes a ball 600 pixels wide.",
+            "picture's bumps are six waves, and its light is bent to the screen. How far off it is: root mean square over the ball, "
+            "600 pixels wide, from 224 places of each of 64 pixels, good to a quarter of the number.",
     values=(Value("bumps", 300.0, low=3.0, high=1500.0), Value("bump_slope", 0.2, low=0.0, high=0.4),
             Value("m", 0.1, low=0.05, high=0.4), Value("samples", 16, low=1, high=64),
             Value("theta_h", 12.0, low=0.0, high=60.0, more=True)),

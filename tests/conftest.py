@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from app.gpu.context import context
+from app.gpu.context import context, of_thread
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def ctx():
 def no_gl_error():
     """A test that left an OpenGL error behind fails, and not the one after it."""
     yield
-    if context.cache_info().currsize:
+    if of_thread.cache_info().currsize:
         with context() as now:
             error = (now or context()).error
         assert error == "GL_NO_ERROR"

@@ -191,5 +191,5 @@ def test_the_command_knows_the_courses_models(capsys):
     first, second = json.loads(capsys.readouterr().out)
     assert first == second
     assert first["badges"]["energy"]["worst"] == pytest.approx(0.8, rel=1e-6)
-    assert main(["board", "lambret"]) == 2
+    assert main(["board", "lambret", "--text"]) == 2
     assert "lambert" in capsys.readouterr().err

@@ -211,7 +211,18 @@ def test_the_command_writes_it(tinted, tmp_path, capsys):
         assert picture.size == (800, 500)
     assert "tinted" in capsys.readouterr().out
     assert main(["board", "lambert", "-o", str(tmp_path / "report.jpg")]) == 2
-    assert main(["board", *["lambert"] * (MOST + 1), "-o", str(out)]) == 2
-    assert "5 models; a picture of the board holds 4" in capsys.readouterr().err
     with pytest.raises(Usage):
         opened("lambret")
+
+
+def test_a_folder_of_many_is_drawn_in_part_and_parameters_can_be_set(tinted, tmp_path, capsys):
+    folder = tmp_path / "many"
+    folder.mkdir()
+    for i in range(MOST + 1):
+        (folder / f"m{i}.brdf").write_text(tinted.read_text())
+    (folder / "broken.brdf").write_text("analytic")
+    out = tmp_path / "many.png"
+    assert main(["board", str(folder), "-o", str(out), "--size", "400x250", "--set", "n=0.25"]) == 0
+    said = capsys.readouterr()
+    assert out.exists() and "first 4 of 5 models" in said.err and "broken.brdf has no ::begin shader" in said.err
+    assert all(f"m{i}" in said.out for i in range(MOST + 1)), "each has its verdict"

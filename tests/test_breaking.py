@@ -8,7 +8,7 @@ import pytest
 
 from app import catalog, shader
 from app.__main__ import main
-from app.breaking import broken, faults, swapped, values_of
+from app.breaking import broken, faults, values_of
 from app.export.still import data
 from app.gpu.evaluate import evaluate
 from app.gpu.stage import Stage
@@ -18,6 +18,7 @@ from app.problem import Usage
 from app.readouts import numbers
 from app.session import Session
 from app.state import defaults
+from app.swapping import calling, without_body
 from app.theme import THEMES
 
 BROKEN = [(found, i) for found in catalog.steps() for i in range(len(found.step.breaks))]
@@ -70,13 +71,14 @@ def test_some_steps_can_be_broken():
 
 def test_a_swapped_function_calls_the_other_everywhere(ctx):
     include, signature = shader.catalogue()["solid_angle_cone"]
-    text = swapped(shader.read(include), signature, "solid_angle_cone_naive")
-    assert len(text.split("\n")) - len(shader.read(include).split("\n")) == 2, "lines keep their numbers"
+    text = without_body(shader.read(include), signature)
+    assert len(text.split("\n")) == len(shader.read(include).split("\n")), "lines keep their numbers"
     own = {include: shader.Source(text, include)}
-    caller = f'#include "{include}"\nfloat caller(float half_angle) {{ return solid_angle_cone(half_angle); }}'
+    caller = f'#include "{include}"\nfloat caller(float half_angle) {{ return solid_angle_cone(half_angle); }}\n'
     args = {"half_angle": np.array([1e-4])}
     assert evaluate("caller", args, text=caller, ctx=ctx) > 0
-    assert evaluate("caller", args, text=caller, ctx=ctx, overrides=own) == 0
+    behind = caller + calling(signature, "solid_angle_cone_naive")
+    assert evaluate("caller", args, text=behind, ctx=ctx, overrides=own) == 0
 
 
 def test_a_wrong_break_is_told():

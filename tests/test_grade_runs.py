@@ -126,6 +126,21 @@ def test_a_stopped_run_keeps_what_is_done(tmp_path, assignment, handed_in):
     assert all((row[0] == "") == (row[2] == "ungraded") for row in marks.values())
 
 
+def test_marks_by_hand_stand_in_a_file_the_grader_never_writes(tmp_path, assignment, handed_in, capsys):
+    words = (assignment, handed_in / "ann", "-o", tmp_path / "r", "--seed", "s")
+    assert grade(*words) == 0
+    by_hand = tmp_path / "r" / "overrides.csv"
+    by_hand.write_text("student,points,reason\nann,3.5,talked about it\n")
+    assert grade(*words, "--resume") == 0
+    assert rows(tmp_path / "r") == {"ann": ["3.5", "4", "override"]}
+    result = json.loads((tmp_path / "r" / "students" / "ann" / "result.json").read_text())
+    assert result["score"] == 4 and result["overrides"] == [{"points": 3.5, "reason": "talked about it"}]
+    assert by_hand.read_text().endswith("talked about it\n")
+    by_hand.write_text("student,points,reason\nann,many,\n")
+    assert grade(*words, "--resume") == 1
+    assert "overrides.csv, line 2: ann,many, is no student" in capsys.readouterr().err
+
+
 def test_results_are_not_mixed(tmp_path, assignment, handed_in, capsys):
     (tmp_path / "r" / "store").mkdir(parents=True)
     assert grade(assignment, handed_in, "-o", tmp_path / "r") == 2
@@ -153,6 +168,18 @@ def test_our_own_failure_is_never_a_zero(tmp_path, assignment, handed_in, monkey
     monkeypatch.setattr(conversation.sandbox, "start", working)
     assert grade(assignment, handed_in, "-o", tmp_path / "r", "--resume") == 0
     assert rows(tmp_path / "r")["ann"] == ["4", "4", "pass"]
+
+
+def test_speed_is_measured_against_the_solution(tmp_path, assignment, handed_in):
+    assignment.write_text(SMALL.replace("points = 4", "points = 4\nruntime = 0.5"))
+    slow = handed_in / "slow"
+    slow.mkdir()
+    (slow / "submission.py").write_text("import time\n" + RIGHT.replace(
+        "    x =", "    begun = time.process_time()\n    while time.process_time() < begun + 0.1: pass\n    x ="))
+    assert grade(assignment, slow, "-o", tmp_path / "slow", "--seed", "s") == 0
+    assert grade(assignment, handed_in / "ann", "-o", tmp_path / "ann", "--seed", "s") == 0
+    assert rows(tmp_path / "ann")["ann"] == ["4", "4", "pass"]
+    assert rows(tmp_path / "slow")["slow"] == ["2", "4", "partial"]
 
 
 def test_below_l2_it_must_be_said_by_name(tmp_path, assignment, handed_in, monkeypatch, capsys):

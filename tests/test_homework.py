@@ -16,6 +16,7 @@ from app.grade.live import asked_in, findings, verdicts
 from app.grade.sweep import Sweep
 from app.homework.plot import drawn
 
+
 def exercises_of_all():
     return [exercise for loaded in chapters() for exercise in loaded.chapter.exercises]
 
@@ -127,7 +128,7 @@ def test_a_text_that_does_not_run_is_told(text, words, monkeypatch):
     ("float solid_angle_triangle(vec3 a, vec3 b, vec3 c) {\n    return 2.0 * d;\n}", "line 2"),
     ("float triangle(vec3 a) { return 1.0; }", "solid_angle_triangle"),
     ("vec3 solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return a; }", "float solid_angle_triangle"),
-    ('#include "core/angle.glsl"\nfloat solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return 1.0; }', "no line with #"),
+    ('#include "core/angle.glsl"\nfloat solid_angle_triangle(vec3 a, vec3 b, vec3 c) { return 1.; }', "no line with #"),
 ])
 def test_a_shader_that_does_not_compile_is_told(text, words):
     finding = verdicts("solid_angle/triangle", "glsl", text)

@@ -14,6 +14,10 @@ from app.everything import FEATURES, EverythingOn, features
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
 from app.inspection import inspect, unread
+from app.leaving import decisions, lean
+from app.leaving import faults as leaving_faults
+from app.lesson import LeaveOut
+from app.session import Session
 from app.state import defaults
 from app.theme import THEMES
 from tests import small_lesson
@@ -108,6 +112,88 @@ def test_all_is_told_and_a_fault_fails(tmp_path, monkeypatch, capsys):
 @pytest.mark.parametrize("words", [["inspect"], ["inspect", "solid_angle/cone", "--all"]])
 def test_a_step_or_all(words, capsys):
     assert cli.main(words) == 2 and "wants a step, or --all" in capsys.readouterr().err
+
+
+# --- what a scene decides --------------------------------------------------------------------------------------------
+LAMPS = step("lights/area_exact")
+FAR = {"panel_width": 0.27, "light_height": 3.0}
+
+
+def picture(found, values, ctx):
+    stage = Stage(ctx, Source(found.step.scene))
+    stage.draw(values, found.step.scene.camera, (128, 96), THEMES["dark"], fine=False)
+    assert not stage.faults()
+    pixels = stage.pixels().astype(int)
+    stage.release()
+    return pixels
+
+
+def test_a_lamp_is_a_point_where_that_is_exact_enough():
+    samples, size = decisions(LAMPS, defaults(LAMPS))
+    assert samples.is_out and samples.error == 0 and "exact to rounding" in samples.words
+    assert not size.is_out and size.error > 0.4 and "needed" in size.words and "43 %" in size.words
+    _, far = decisions(LAMPS, defaults(LAMPS) | FAR)
+    assert far.is_out and 0.001 < far.error < far.of.limit and "0.57 %" in far.words
+
+
+def test_a_person_decides_otherwise_and_is_told_what_it_costs():
+    _, size = decisions(LAMPS, defaults(LAMPS), {"the lamps' size": True})
+    assert size.is_out and size.by_hand and "above the 1.0 % it accepts" in size.words
+    _, size = decisions(LAMPS, defaults(LAMPS) | FAR, {"the lamps' size": False})
+    assert not size.is_out and "kept by hand" in size.words
+
+
+def test_what_is_left_out_changes_the_picture_by_no_more_than_is_said(ctx):
+    near, far = defaults(LAMPS), defaults(LAMPS) | FAR
+    for values, is_out, low, high in ((far, True, 0, 2), (near, True, 40, 255), (near, False, 0, 0)):
+        made = decisions(LAMPS, values, {"the lamps' size": is_out})
+        off = np.abs(picture(lean(LAMPS, made), values, ctx) - picture(LAMPS, values, ctx))
+        assert low <= off.max() <= high, (values, is_out)
+
+
+def test_the_64_samples_are_there_when_they_are_wanted(ctx):
+    values = defaults(LAMPS)
+    made = decisions(LAMPS, values, {"64 samples of a lamp": False})
+    kept = {name for pair in programs(lean(LAMPS, made).step.scene).values() for part in pair if part
+            for name in part.kept}
+    assert "irradiance_light_64" in kept and "irradiance_outline" not in kept
+    off = np.abs(picture(lean(LAMPS, made), values, ctx) - picture(LAMPS, values, ctx)).max(-1)
+    assert off.max() > 2 and np.mean(off) < 6, "noise, and little of it"
+
+
+@pytest.mark.parametrize(("material", "is_out"), [(6, True), (7, True), (8, False), (9, False)])
+def test_wavelengths_are_summed_only_where_the_fit_is_off(material, is_out):
+    found = step("plausible_shading/compare")
+    made = decisions(found, defaults(found) | {"material": material})
+    assert [one.is_out for one in made] == [is_out]
+    kept = {name for pair in programs(lean(found, made).step.scene).values() for part in pair if part
+            for name in part.kept}
+    assert ("metal_index" in kept) != is_out and ("f_material_schlick" in kept) == is_out
+
+
+def test_the_same_decision_is_the_same_scene():
+    one, other = (lean(LAMPS, decisions(LAMPS, defaults(LAMPS) | FAR | {"light_x": x})) for x in (0.0, 0.1))
+    assert one is other and one is not LAMPS and lean(CONE, ()) is CONE
+
+
+def test_a_wrong_leave_out_is_told():
+    for one, sentence in ((LeaveOut("x", 0.0, 1e-3, "y", {"irradiance_light": "no_such"}), "no function no_such"),
+                          (LeaveOut("x", 0.0, 1e-3, "y"), "changes no function"),
+                          (LeaveOut("x", 0.0, -1.0, "y", {"irradiance_light": "irradiance_light_64"}), "below 0")):
+        wrong = replace(LAMPS, step=replace(LAMPS.step, leave_outs=(one,)))
+        assert any(sentence in fault for _, fault in leaving_faults(wrong)), sentence
+
+
+def test_a_session_keeps_what_was_decided():
+    session = Session("lights/area_exact")
+    before = session.revision
+    session.decide("the lamps' size", True)
+    assert session.visit.decided == {"the lamps' size": True} and session.revision > before
+    session.go("lights/spot")
+    session.go("lights/area_exact")
+    assert session.visit.decided == {"the lamps' size": True}
+    session.decide("the lamps' size", None)
+    assert session.visit.decided == {}
 
 
 def test_inspect_without_opengl_is_pure_text():

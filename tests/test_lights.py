@@ -4,10 +4,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from app.grade.checks import run
 from scipy.integrate import dblquad, quad
 
 from app import catalog
+from app.gpu.evaluate import evaluate
+from app.grade.live import verdicts
 from app.inspection import inspect
 from app.optics import (
     area_light,
@@ -21,6 +22,7 @@ from app.optics import (
 )
 from app.optics import filter as filters
 from app.optics.solid_angle_flat import solid_angle_rectangle_off_axis
+from app.tolerance import FACTOR, ratio
 
 PANEL = {"light_shape": 0, "radiance": 10.0, "light_x": 0.2, "light_y": 0.1, "light_height": 0.6, "panel_width": 1.4,
          "panel_depth": 0.9, "panel_tilt": -0.3}
@@ -305,8 +307,8 @@ def test_a_mistake_in_the_spot_is_found(mistake, language, ctx):
     old, new = MISTAKES[mistake][language]
     text = SPOT.solutions[language]
     assert text.count(old) == 1
-    findings = run(SPOT, language, text.replace(old, new))
-    assert not all(finding.ok for finding in findings) and not any(finding.said for finding in findings)
+    found = verdicts(f"lights/{SPOT.name}", language, text.replace(old, new))
+    assert not found.ok and not found.said
 
 
 def test_cosines_fail_for_a_narrow_beam_in_float32(ctx):
@@ -315,8 +317,10 @@ def test_cosines_fail_for_a_narrow_beam_in_float32(ctx):
     if (hotspot >= falloff) return off_axis <= falloff ? 1.0 : 0.0;
     return clamp(1.0 - (cos(hotspot) - cos(off_axis)) / (cos(hotspot) - cos(falloff)), 0.0, 1.0);
 }"""
-    findings = {finding.words: finding for finding in run(SPOT, "glsl", text)}
-    assert not findings["a beam of a hundredth of a degree"].ok and findings["in the hotspot: 1"].ok
+    wide = {"off_axis": np.array([0.5, 0.625]), "hotspot": np.array([0.25, 0.375]), "falloff": np.array([0.75, 1.0])}
+    narrow = {name: angle * 2.0**-12 for name, angle in wide.items()}
+    far = [ratio("spot_linear", args, evaluate("spot_linear", args, text), "float32") for args in (narrow, wide)]
+    assert far[0].min() > 1000 * FACTOR and far[1].max() < FACTOR
 
 
 # --- filters ---------------------------------------------------------------------------------------------------------

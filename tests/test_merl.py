@@ -11,6 +11,7 @@ from app.board import merl
 from app.board.coated import Coated
 from app.board.fit import fit, in_square
 from app.board.merl import CELLS, SCALES, SHAPE, coordinates, directions, middles, read
+from app.gpu.evaluate import evaluate
 from app.hemisphere import NORMAL
 from app.optics.cook_torrance import brdf_cook_torrance
 from app.optics.spherical import direction
@@ -128,6 +129,17 @@ def test_light_and_eye_can_be_swapped(measured):
 
 
 # --- what is missing -------------------------------------------------------------------------------------------------
+def test_the_scene_reads_the_same_numbers(measured):
+    """float32 and between the same cells; where half a cell was not measured, too."""
+    text = ('#include "display/merl.glsl"\n'
+            "vec3 value_of(sampler2D cells, vec3 n, vec3 l, vec3 v) { return merl_value(cells, n, l, v); }")
+    n = NORMAL
+    for l, v in (pairs(60), (direction(0.3, np.linspace(-3, 3, 20)), direction(0.3, np.linspace(-3, 3, 20))),
+                 (direction(0.4, 0.0)[None], direction(0.4, np.pi)[None])):
+        got = evaluate("value_of", {"cells": measured.table, "n": n, "l": l, "v": v}, text)
+        np.testing.assert_allclose(got, measured.rgb(n, l, v), rtol=5e-3, atol=1e-5)
+
+
 def test_what_was_not_measured_is_no_number_and_no_fault(made_up):
     cells = made_up.copy()
     cells[:, :, 80:] = -1.0  # theta_d from 80 degrees
@@ -194,7 +206,7 @@ def test_the_command_tells_the_fit(measured, capsys):
     found = json.loads(capsys.readouterr().out)
     assert found["name"] == "made-up" and found["parameters"] == [] and found["missing"] == 0
     assert found["fit"]["m"] == pytest.approx(M) and found["badges"]["energy"]["worst"] < 1.1
-    assert main(["board", measured.path]) == 0
+    assert main(["board", measured.path, "--text"]) == 0
     assert "nearest rho / pi + Cook-Torrance: m 0.15, rho 0.4 0.2 0.05, f0 0.05 0.3 0.9" in capsys.readouterr().out
 
 

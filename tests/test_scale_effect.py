@@ -1,16 +1,26 @@
 """Bumps that turn into roughness, by a second method: integrals by scipy and mpmath, counts, filtered waves."""
 
+import itertools
+from dataclasses import replace
+
 import mpmath
 import numpy as np
 import pytest
 from scipy import integrate, special
 
+from app import camera
+from app.catalog import step
 from app.gpu.evaluate import evaluate
+from app.gpu.pick import raw
+from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
 from app.maps import NONE
 from app.mesh_edges import corner_normals
 from app.meshes import built_in
+from app.optics import bumpy_ball
 from app.optics.beckmann import d_beckmann_slope
 from app.optics.board import dgf_at, mirror_gain
+from app.optics.bumpy_ball import ball_error
 from app.optics.cook_torrance import cook_torrance_at
 from app.optics.filter import toksvig_exponent
 from app.optics.maps import map_pattern, peak_gain, peak_gain_at, roughness_as_srgb, srgb_gap, stored_roughness
@@ -29,6 +39,8 @@ from app.optics.scale_effect import (
     samples_worth,
     sampling_error,
 )
+from app.state import defaults
+from app.theme import THEMES
 
 PAIRS = [(0.1, 0.2), (0.3, 0.05), (0.05, 0.4), (1.0, 1.0), (0.7, 0.3)]
 pairs = pytest.mark.parametrize(("m", "sigma"), PAIRS)
@@ -173,3 +185,46 @@ def test_the_maps_of_the_plate():
     assert np.all(roughness_as_srgb(NONE, s, t) < stored)
     here = NONE, 0.4, 0.6
     assert peak_gain_at(*here) == pytest.approx((stored_roughness(*here) / roughness_as_srgb(*here)) ** 2, rel=1e-12)
+
+
+# --- the picture's own error -----------------------------------------------------------------------------------------
+def test_the_truth_of_a_pixel_is_good_enough():
+    """224 places of a pixel against 8192 others: what is shown differs by less than 1 % of white."""
+    place = np.arange(bumpy_ball.PLACES)
+    for bumps in (20.0, 300.0, 1500.0):
+        few, many = (bumpy_ball._mean(n, bumps, 0.2, 0.1, place + k) for n, k in ((bumpy_ball.TRUTH, 0), (8192, 3)))
+        assert np.sqrt(np.mean((np.exp(-bumpy_ball.LIGHT * few) - np.exp(-bumpy_ball.LIGHT * many)) ** 2)) < 0.01
+
+
+def test_far_away_filtering_wins_and_near_by_nothing_is_wrong():
+    one, some, filtered, toksvig = (float(ball_error(1500.0, 0.2, 0.1, 16, k)) for k in range(4))
+    assert one > some > 1.5 * filtered and filtered < toksvig < 1.3 * filtered and one > 0.1
+    assert all(ball_error(3.0, 0.2, 0.1, 16, k) < 2e-3 for k in range(4))
+    middle = [float(ball_error(300.0, 0.2, 0.1, 16, k)) for k in range(3)]
+    assert middle[1] < 0.5 * middle[2] < 0.5 * middle[0], "at middle distance the filter blurs what it cannot know"
+
+
+def test_more_places_err_less():
+    errors = [float(ball_error(800.0, 0.2, 0.1, n, 1)) for n in (1, 4, 16, 64)]
+    assert all(a > 1.4 * b for a, b in itertools.pairwise(errors))
+
+
+def test_the_picture_errs_as_its_numbers_say(ctx):
+    """The scene's own pixels: its part of one place and its filtered part against 64 pictures that are each shifted by
+    a part of a pixel, which is a truth of another making."""
+    found = step("plausible_shading/scale")
+    values = defaults(found) | {"bumps": 1500.0}
+    stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line))
+    view, size = replace(found.step.scene.camera, target=(0.0, 0.0, 0.0), field_of_view=2.866), (600, 600)
+    shown = []
+    for i in range(64):
+        x, y = np.mod(0.5 + i * np.array([0.7548777, 0.5698403]), 1) - 0.5 if i else (0.0, 0.0)
+        shift = np.eye(4)
+        shift[0, 3], shift[1, 3] = 2 * x / 600, 2 * y / 600
+        shown.append(raw(stage, values, view, THEMES["dark"], size, shift @ camera.view_projection(view, 1.0))[0])
+    stage.release()
+    light = -np.log(np.maximum(1 - np.stack(shown)[..., 0], 1e-6))
+    number = shown[0][..., 3]
+    inside = np.stack([one[..., 3] for one in shown]).min(0) == number
+    one_place = np.sqrt(np.mean((np.exp(-light[0]) - np.exp(-light.mean(0)))[inside & (number == 3)] ** 2))
+    assert one_place == pytest.approx(float(ball_error(1500.0, 0.2, 0.1, 16, 0)), rel=0.35)

@@ -116,14 +116,15 @@ def only(study: Study, *labels: str) -> Study:
 
 
 def test_a_silent_failure_is_caught_and_told():
-    found = measure(only(D_SUM, "adaptive, angle", "adaptive, slope"), {"m": 1e-4}, 1.0)
+    found = measure(only(D_SUM, "adaptive, angle", "adaptive, slope"), {"m": 1e-4}, 60.0)
     lost, safe = found.lines
     assert [p.words for p in lost.silent][-1] == "converged, but 100 % off" and not safe.silent
     assert all(lost.reach(t) is None for t in (1e-2, 1e-3, 1e-6)) and safe.reach(1e-6)
 
 
 def test_samples_that_all_miss_are_sure_of_nothing():
-    found = measure(only(COOK_TORRANCE, "random"), {"m": 1e-4, "f0": 1.0, "theta_v": 0.5}, 0.6)
+    study = replace(COOK_TORRANCE, methods=(Method("random", "random uniform", ladder=(64, 256, 1024)),))
+    found = measure(study, {"m": 1e-4, "f0": 1.0, "theta_v": 0.5}, 60.0)
     assert found.lines[0].silent and found.lines[0].silent[0].words == "standard error 0, but 100 % off"
 
 
@@ -252,8 +253,10 @@ def test_a_pointer_finds_the_nearest_point_that_can_be_set():
 
 
 # --- the command -----------------------------------------------------------------------------------------------------
-def test_the_command_writes_a_page_that_needs_no_network(tmp_path, capsys):
-    assert main(["study", "microfacets/distribution", "--budget", "4", "--json", "-o", str(tmp_path / "out")]) == 0
+def test_the_command_writes_a_page_that_needs_no_network(tmp_path, capsys, monkeypatch):
+    real = command.record_of
+    monkeypatch.setattr(command, "record_of", lambda job, budget: real(job, 0.4))
+    assert main(["study", "microfacets/distribution", "--json", "-o", str(tmp_path / "out")]) == 0
     data = json.loads(capsys.readouterr().out)
     assert [one["case"] for one in data["studies"]] == ["m = 1", "m = 0.1", "m = 0.01", "m = 10⁻⁴"]
     assert {"processor", "numpy", "scipy", "python"} <= set(data["machine"])

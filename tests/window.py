@@ -6,7 +6,7 @@ from pathlib import Path
 from imgui_bundle import hello_imgui, imgui
 
 from app import locale_alias
-from app.gpu.context import context
+from app.gpu.context import of_thread
 from app.paths import LESSONS
 from app.viewer import glfw
 from app.viewer.parameters import parameters
@@ -37,7 +37,7 @@ def drive(
     try:
         testing.run(test_function=patiently, runner_params=params, add_ons_params=add_ons)
     finally:
-        context.cache_clear()  # the null platform has closed the display it shares with the surfaceless context
+        of_thread.cache_clear()  # the null platform has closed the display it shares with the surfaceless context
     return window
 
 

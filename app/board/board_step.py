@@ -11,9 +11,11 @@ from urllib.parse import quote, unquote
 
 import numpy as np
 
+from app.board import settings
 from app.board.board_values import specs
 from app.board.brdf_file import Default
-from app.board.factors import PARTS, factors
+from app.board.course_model import CourseModel
+from app.board.factors import factors, labels
 from app.board.models import BoardModel, opened
 from app.board.scene_text import scene
 from app.board.terms import LUMINANCE, channel_of, packed
@@ -36,6 +38,7 @@ from app.lesson import (
 )
 from app.optics.spherical import direction, light_direction, view_direction
 from app.problem import Problem, Usage
+from app.state import write
 from app.terms import evaluate
 
 COLOURS: tuple[Colour, ...] = ("estimate", "f", "g", "exact")  # none of a direction's
@@ -65,8 +68,10 @@ class Entry:
     @property
     def factors(self) -> tuple[Readout, ...]:
         """D, G, F and the denominator of a model of the course that is made of them."""
-        return tuple(Readout(part, term, unit="1/sr" if part == "D" else "")
-                     for part, term in zip(PARTS, factors(self.label, self.prefix), strict=False))
+        if not isinstance(self.model, CourseModel):
+            return ()
+        terms = zip(labels(self.model.name), factors(self.model.name, self.prefix), strict=True)
+        return tuple(Readout(label, term, unit="1/sr" if label == "D" else "") for label, term in terms)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +148,11 @@ def turn_of(l: np.ndarray, h: np.ndarray) -> float:
 # --- words -----------------------------------------------------------------------------------------------------------
 def name_of(words: list[tuple[str, bool]]) -> str:
     """The step's name: words of models, and which are on."""
-    return "+".join(("" if on else "-") + quote(word, safe="/._~:\\") for word, on in words)
+    def coded(word: str) -> str:
+        text = quote(word, safe="/._~:\\")
+        return "%2D" + text[1:] if text.startswith("-") else text
+
+    return "+".join(("" if on else "-") + coded(word) for word, on in words)
 
 
 def words_of(name: str) -> list[tuple[str, bool]]:
@@ -154,6 +163,15 @@ def id_of(words: list[str]) -> str:
     """The board of these models, the first ones of them on."""
     once = list(dict.fromkeys(words)) or [FIRST]
     return BOARD + name_of([(word, i < MOST) for i, word in enumerate(once)])
+
+
+def started(id: str, given: list[str]) -> str:
+    """The state string of a board with parameters `name=value` of its models."""
+    found = step(id.removeprefix(BOARD))
+    settings.checked([one.model for one in found.shown if one.model], given)
+    values = {one.prefix + name: value for one in found.shown if one.model
+              for name, value in settings.of_model(one.model, given).items()}
+    return write(found, values)
 
 
 def step(name: str) -> BoardStep:
@@ -174,6 +192,7 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
     if not words:
         raise Usage("a board without a model; write one behind board/, as in board/cook_torrance.")
     entries: list[Entry] = []
+    problems: list[Problem] = []
     peaks: dict[str, float] = {}
     on = 0
     for i, (word, wanted) in enumerate(words):
@@ -186,11 +205,11 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
             else:
                 entries.append(Entry(word, model.name, False, model, prefix=f"model{i}_"))
         except Problem as problem:
-            entries.append(Entry(word, Path(word).stem, False, None, str(problem)))
+            problems.append(problem)
+            entries.append(Entry(word, Path(word).stem, wanted, None, str(problem)))
     if not on:
-        faults = [one.fault for one in entries if one.fault]
-        raise Problem(faults[0] if faults else "every model of the board is off.")
-    return assembled(tuple(entries), peaks)
+        raise problems[0] if problems else Usage("every model of the board is off; one without a minus is on.")
+    return assembled(name_of(list(words)), tuple(entries), peaks)
 
 
 def peak(model: BoardModel) -> float:
@@ -201,7 +220,7 @@ def peak(model: BoardModel) -> float:
     return float(np.nan_to_num(found, nan=0, posinf=0).max())
 
 
-def assembled(entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
+def assembled(name: str, entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
     labels = {one.word: label for one, label in zip(entries, told_apart([e.label for e in entries]), strict=True)}
     entries = tuple(replace(one, label=labels[one.word]) for one in entries)
     shown = [one for one in entries if one.on and one.model]
@@ -212,7 +231,7 @@ def assembled(entries: tuple[Entry, ...], peaks: dict[str, float]) -> BoardStep:
     if len(shown) == 1:
         readouts = (*shown[0].factors, *readouts)
     made_of = Step(
-        name=name_of([(one.word, one.on) for one in entries]), title=", ".join(one.label for one in shown),
+        name=name, title=", ".join(one.label for one in shown),
         idea="A reflectance as an object to examine: what it sends where, and what it breaks.", slides=(), prose="",
         scene=scene([(one.label, one.model, one.colour, one.prefix) for one in shown if one.model]),
         plot=plots(shown), readouts=readouts, models=models,

@@ -32,14 +32,13 @@ def uniforms(file: BrdfFile, prefix: str) -> str:
 
 
 class BrdfModel:
-    def __init__(self, file: BrdfFile, number: int = 0):
-        self.file, self.prefix = file, f"model{number}_"
+    def __init__(self, file: BrdfFile, prefix: str = "model0_", overrides: dict[str, shader.Source] | None = None):
+        self.file, self.prefix = file, prefix
         self.name, self.parameters, self.warnings = file.name, file.parameters, file.warnings
-        source = prefixed(file, self.prefix)
         call = (f"vec3 value_of_model(vec3 n, vec3 l, vec3 v, vec3 x, vec3 y) "
                 f"{{ return {self.prefix}BRDF(l, v, n, x, y); }}")
         self.text = "\n".join([uniforms(file, self.prefix), '#include "model"', call])
-        self.overrides = {"model": source}
+        self.overrides = overrides or {"model": prefixed(file, self.prefix)}
 
     def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
         """float32 values (..., 3) in 1/sr at unit vectors (..., 3); X and Y are across n."""

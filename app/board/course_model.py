@@ -5,10 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from app import optics
-from app.badges import Badge
+from app.badges import SAME, SAME_FLOAT32, Badge
 from app.board.brdf_file import Default, Parameter
 from app.board.verdict import worst_of
 from app.quantities import quantity
+from app.shader import Overrides
 
 PREFIX = "brdf_"
 VECTORS, GIVEN = ("n", "l", "v"), ("channel", "radiance")
@@ -24,6 +25,7 @@ def names() -> list[str]:
 class CourseModel:
     name: str  # without the prefix
     warnings: tuple[str, ...] = ()
+    edits: Overrides = ()  # the user's texts, where the function is made of them
 
     @property
     def function(self) -> str:
@@ -45,9 +47,14 @@ class CourseModel:
 
     def value(self, n, l, v, values: dict[str, Default] | None = None, channel: int = 0) -> np.ndarray:
         """float64 values in 1/sr at unit vectors (..., 3)."""
-        given = {p.name: p.default for p in self.parameters} | (values or {})
+        given: dict = {p.name: p.default for p in self.parameters} | (values or {})
+        given |= {p.name: round(given[p.name]) for p in self.parameters if p.whole}
         given |= {name: value for name, value in (("channel", channel), ("radiance", 1.0)) if name in
                   optics.arguments(self.function)}
+        if self.edits:
+            from app.gpu.evaluate import evaluate
+
+            return evaluate(self.function, {"n": n, "l": l, "v": v, **given}, overrides=dict(self.edits))
         return np.asarray(optics.twin(self.function)(n=n, l=l, v=v, **given))
 
     def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
@@ -56,4 +63,5 @@ class CourseModel:
         return np.stack((found * 3)[:3], -1)
 
     def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
-        return worst_of(lambda n, l, v, channel: self.value(n, l, v, values, channel), 1 if self.is_grey() else 3)
+        return worst_of(lambda n, l, v, channel: self.value(n, l, v, values, channel), 1 if self.is_grey() else 3,
+                        SAME_FLOAT32 if self.edits else SAME)

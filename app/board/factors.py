@@ -3,7 +3,7 @@
 from app.lesson import Term
 from app.optics import arguments
 
-PARTS = "D", "G", "F", "denominator"
+LABELS = {"denominator": "4 (n·l)(n·v)", "denominator_printed": "π (n·l)(n·v)"}
 OF = {  # model -> D, G, F and the denominator
     "cook_torrance": ("d_beckmann", "g_vgroove", "f_schlick", "denominator"),
     "cook_torrance_printed": ("d_beckmann", "g_vgroove", "f_schlick", "denominator_printed"),
@@ -16,6 +16,10 @@ GIVEN = "n", "h", "n_dot_l", "n_dot_v", "n_dot_h", "l_dot_h"  # what follows fro
 def factors(model: str, prefix: str = "") -> tuple[Term, ...]:
     """D, G, F and the denominator as terms; the model's parameters have a prefix. None of them: ()."""
     return tuple(Term(name, {a: prefix + a for a in arguments(name) if a not in GIVEN}) for name in OF.get(model, ()))
+
+
+def labels(model: str) -> tuple[str, ...]:
+    return tuple(LABELS.get(name, "DGF"[min(i, 2)]) for i, name in enumerate(OF.get(model, ())))
 
 
 def call(term: Term) -> str:

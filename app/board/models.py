@@ -12,9 +12,11 @@ from app.board.brdf_file import Default, Parameter, read
 from app.board.brdf_model import BrdfModel
 from app.board.coated import Coated
 from app.board.course_model import CourseModel
+from app.board.fit import fit
 from app.problem import Problem, Usage, near
 
 FILES = ".brdf", ".binary"
+FIT = "fit:"
 
 
 class BoardModel(Protocol):
@@ -36,7 +38,10 @@ class BoardModel(Protocol):
 
 
 def opened(word: str) -> BoardModel:
-    """The model of a file, or the course's of that name."""
+    """The model of a file, the course's of that name, or fit:FILE, the one of the course nearest to a measurement."""
+    if word.startswith(FIT):
+        measured = merl.read(word.removeprefix(FIT))
+        return Coated(f"fit of {measured.name}", fit(measured))
     if word.endswith(FILES) or Path(word).is_file():
         return merl.read(word) if merl.is_one(word) else BrdfModel(read(word))
     if word == Coated.name:

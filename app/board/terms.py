@@ -19,11 +19,13 @@ import numpy as np
 
 from app.badges import Badge
 from app.board.brdf_file import Default, Parameter
+from app.board.edited import edited
 from app.board.merl import directions
 from app.board.models import opened
 from app.furnace import albedo
 from app.hemisphere import NORMAL
 from app.problem import Usage
+from app.shader import Overrides
 
 LUMINANCE = 3
 KINDS = "board", "half", "albedo"
@@ -44,8 +46,8 @@ def unpacked(parameters: tuple[Parameter, ...], numbers: tuple[float, ...]) -> d
     return found
 
 
-def function(name: str) -> Callable:
-    """What a name with a colon means."""
+def function(name: str, edits: Overrides = ()) -> Callable:
+    """What a name with a colon means, with the user's texts in it."""
     kind, _, word = name.partition(":")
     if kind not in KINDS:
         known = ", ".join(f"{one}:MODEL" for one in KINDS)
@@ -55,12 +57,12 @@ def function(name: str) -> Callable:
         stamp: tuple = about.st_mtime_ns, about.st_size
     except OSError:
         stamp = ()
-    return made(kind, word, stamp)
+    return made(kind, word, stamp, edits)
 
 
 @lru_cache(16)
-def made(kind: str, word: str, stamp: tuple) -> Callable:
-    model = opened(word)
+def made(kind: str, word: str, stamp: tuple, edits: Overrides) -> Callable:
+    model = edited(opened(word), edits) or opened(word)
 
     def value(n, l, v, channel, values):
         return channel_of(model.rgb(n, l, v, unpacked(model.parameters, values)), channel)
@@ -80,9 +82,10 @@ def made(kind: str, word: str, stamp: tuple) -> Callable:
     return meant[kind]
 
 
-def badges(name: str, values: tuple[float, ...]) -> dict[str, Badge]:
+def badges(name: str, values: tuple[float, ...], edits: Overrides = ()) -> dict[str, Badge]:
     """Of the model that a name with a colon means."""
-    model = opened(name.partition(":")[2])
+    word = name.partition(":")[2]
+    model = edited(opened(word), edits) or opened(word)
     return model.badges(unpacked(model.parameters, values))
 
 

@@ -2,6 +2,7 @@
 sphere, with its parameters and its badges."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,11 +10,13 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from app import plots
+from app.board.board_step import COLOURS, MOST, ROLES, SPREAD
 from app.board.brdf_file import Default
 from app.board.coated import Coated
 from app.board.fit import fit
 from app.board.merl import Merl
 from app.board.models import BoardModel, opened
+from app.board.settings import of_model
 from app.board.terms import LUMINANCE, function, packed
 from app.export import target
 from app.export.board_words import SIGNS, STEP, Line, lines
@@ -25,15 +28,11 @@ from app.hemisphere import NORMAL
 from app.lesson import Camera, Colour, Curve, Curves, ImageSlice, Lobes, Model, Plot, Slice, Term
 from app.optics.spherical import direction
 from app.plots.look import REFERENCE
-from app.problem import Usage
 from app.theme import THEMES, Theme
 
-COLOURS: tuple[Colour, ...] = ("estimate", "f", "g", "exact")  # none of a direction's
-ROLES = ("exact", "exact", "printed", "exact")  # drawn solid, dashed, dash-dotted, dotted, as slices are
 CHANNELS = (("red", "#DB3330"), ("green", "#33A840"), ("blue", "#406BF2"))
 SIZE, LEAST = "1920x1200", (1600, 1000)  # px
 LETTERS = 14  # heights of its text that an image slice has room for
-MOST, SPREAD = len(COLOURS), 8  # models; peaks that differ by more than this are shown on a logarithmic scale
 VALUES = {"theta_l": math.radians(45), "theta_v": math.radians(30), "phi": math.pi, "lobe_scale": 0}
 RANGES = {"theta_v": (0.0, math.radians(89.9))}
 BESIDE = 1 / 3  # of the width, for the words of a model that is alone
@@ -57,28 +56,22 @@ class Shown:
         return Term(f"{kind}:{self.word}", given)
 
 
-def save(words: list[str], output: str | Path, theme: str = "dark", size: str = SIZE) -> None:
-    """A picture smaller than LEAST is a larger one reduced, so that it is whole."""
+def save(words: list[str], output: str | Path, theme: str = "dark", size: str = SIZE,
+         given: Sequence[str] = ()) -> None:
+    """A picture smaller than LEAST is a larger one reduced, so that it is whole. given: parameters, as name=value."""
     path, pixels = target.picture_path(output), target.size_of(size)
     chosen_theme = THEMES[known("--theme", theme, tuple(THEMES))]
     more = max(1.0, *(least / given for least, given in zip(LEAST, pixels, strict=True)))
-    picture = report(shown(words), (round(more * pixels[0]), round(more * pixels[1])), chosen_theme)
+    picture = report(shown(words, given), (round(more * pixels[0]), round(more * pixels[1])), chosen_theme)
     target.write(path, png(picture if more == 1 else picture.resize(pixels, Image.Resampling.LANCZOS)))
 
 
-def checked(words: list[str], output: str | Path) -> None:
-    """What can be said before the work is done."""
-    target.picture_path(output)
-    if len(words) > MOST:
-        raise Usage(f"{len(words)} models; a picture of the board holds {MOST}.")
-
-
-def shown(words: list[str]) -> list[Shown]:
+def shown(words: list[str], given: Sequence[str] = ()) -> list[Shown]:
     """The models, and behind a measurement its fit, where there is room for that."""
     found, room = [], MOST - len(words)
     for word in words:
         model = opened(word)
-        values = {p.name: p.default for p in model.parameters}
+        values = of_model(model, given)
         if not isinstance(model, Merl):
             found.append(Shown(model.name, word, model, values, listing(values)))
             continue

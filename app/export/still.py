@@ -22,6 +22,7 @@ from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.leaving import decisions, lean
 from app.lesson import Camera
 from app.problem import Usage, near
 from app.readouts import numbers
@@ -57,8 +58,8 @@ def break_it(found: LoadedStep, values: dict, text: str) -> tuple[LoadedStep, di
     """The step with naive forms, and the values at which they fail: its break number `text`, from 1."""
     labels = [one.label for one in found.step.breaks]
     if not text.isdecimal() or not 1 <= int(text) <= len(labels):
-        raise Usage(f"--broken {text}: {found.id} has " + (", ".join(f"{i} ({name})" for i, name in enumerate(labels, 1))
-                                                           or "nothing to break") + ".")
+        known = ", ".join(f"{i} ({name})" for i, name in enumerate(labels, 1))
+        raise Usage(f"--broken {text}: {found.id} has {known or 'nothing to break'}.")
     one = found.step.breaks[int(text) - 1]
     return broken(found, int(text) - 1), values | values_of(found, one)
 
@@ -149,6 +150,7 @@ def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple
 def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, int], theme: Theme,
          ink: Ink | None = None, small: bool = False) -> Image.Image:
     """The scene with its labels, its legend and a notice of its faults; a small one has no words but the notice."""
+    found = lean(found, decisions(found, values))
     scene, ink = found.step.scene, ink or Ink(theme, size)
     stage = Stage(context(), Source(scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:

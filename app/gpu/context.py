@@ -1,4 +1,4 @@
-"""Our own OpenGL context without a window: one per process, on an EGL display that nobody else closes.
+"""Our own OpenGL context without a window: one per thread, on an EGL display that nobody else closes.
 
 VTK terminates the display of the first EGL device, pyrender the default one, which moderngl's own backend shares; the
 surfaceless one is taken (else the first device's, else moderngl's own). `with context():` makes it current again after
@@ -12,7 +12,6 @@ import re
 import sys
 import threading
 from functools import cache
-from typing import Any
 
 import moderngl
 
@@ -75,6 +74,9 @@ class EglContext:
 
     load = load_opengl_function
 
+    def let_go(self) -> None:
+        self.egl.eglMakeCurrent(self.display, None, None, None)
+
     def __enter__(self) -> None:
         egl = self.egl
         now = (egl.eglGetCurrentDisplay(), egl.eglGetCurrentSurface(DRAW), egl.eglGetCurrentSurface(READ),
@@ -91,16 +93,44 @@ class EglContext:
         self.egl.eglDestroyContext(self.display, self.context)
 
 
-@cache
 def context() -> moderngl.Context:
-    """The process's own context for rendering without a window."""
+    """The thread's own context for rendering: a context is current in one thread at a time. A window's is adopted."""
+    thread = threading.get_ident()
+    return adopted[thread] if thread in adopted else of_thread(thread)
+
+
+adopted: dict[int, moderngl.Context] = {}  # by thread
+
+
+def adopt(ctx: moderngl.Context | None) -> None:
+    """From now on this thread renders with a window's context; None: with its own again."""
+    if ctx is None:
+        adopted.pop(threading.get_ident(), None)
+    else:
+        adopted[threading.get_ident()] = ctx
+
+
+def step_aside() -> None:
+    """Leave nothing of ours current in this thread: a window is about to make a context of its own (GLX refuses one
+    where EGL has another)."""
+    if made := standing.pop(threading.get_ident(), None):
+        made.let_go()
+
+
+standing: dict[int, EglContext] = {}  # the last one made in a thread
+
+
+@cache
+def of_thread(thread: int) -> moderngl.Context:
     tried = []
     if sys.platform.startswith("linux"):
         os.environ.setdefault("EGL_LOG_LEVEL", "fatal")  # Mesa's own words say less than the sentence below
         for platform in (SURFACELESS, DEVICE, None):  # None: EGL's default display
             try:
-                given: Any = {"context": EglContext(platform)} if platform else {"standalone": True, "backend": "egl"}
-                return moderngl.create_context(require=330, **given)
+                if not platform:
+                    return moderngl.create_context(require=330, standalone=True, backend="egl")  # type: ignore[arg-type]
+                standing[thread] = EglContext(platform)
+                return moderngl.create_context(require=330, context=standing[thread])  # type: ignore[arg-type]
             except Exception as error:  # whatever a driver raises, the next way may work
                 tried.append(str(error))
     try:
@@ -109,18 +139,6 @@ def context() -> moderngl.Context:
         tried.append(str(error))
     raise Problem(f"OpenGL 3.3 without a window could not be started ({'; '.join(dict.fromkeys(tried))}). "
                   "Run `halfway doctor`: it prints the command that mends it.") from None
-
-
-own = threading.local()
-
-
-def here() -> moderngl.Context:
-    """A context for this thread: the process's own, or, as a context is current in one thread only, one of its own."""
-    if threading.current_thread() is threading.main_thread():
-        return context()
-    if not hasattr(own, "context"):
-        own.context = context.__wrapped__()
-    return own.context
 
 
 def kept(ctx: moderngl.Context) -> dict:

@@ -6,7 +6,7 @@ import moderngl
 import numpy as np
 
 from app import shader
-from app.gpu.context import here, kept, pixel, program
+from app.gpu.context import context, kept, pixel, program
 from app.problem import Problem, Usage, near
 from app.shader import WIDTH
 
@@ -35,7 +35,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
         raise Usage(f"{function}: the shapes of its arguments do not fit together: "
                     + ", ".join(f"{name} {c.shape}" for name, c in columns.items()) + ".") from None
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
-    ctx = ctx or here()
+    ctx = ctx or context()
     with ctx:
         feedback = linked(ctx, source, function, overrides)
         for name in (uniforms or {}).keys() & set(feedback):

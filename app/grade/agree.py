@@ -1,8 +1,7 @@
 """When an answer is right: |y - f| <= a + 8 u (|f| + sum |x df/dx|), with what a sound way of computing may lose.
 
-u is 2^-24 in GLSL, half the distance of 1 to the next number, and 2^-44 in Python: nine bits of float64 are given away,
-because there a sound sum in another order is no mistake, and an unstable form loses more. Where the allowance passes a
-tenth of f (a lobe of exponent 10^6), the answer may be off by that factor instead, has the right sign and is finite.
+u is half the distance of 1 to the next number: 2^-53 in Python, 2^-24 in GLSL. Where the allowance passes a tenth of f
+(a lobe of exponent 10^6), the answer may be off by that factor instead, has the right sign and is finite.
 """
 
 from collections import OrderedDict
@@ -13,9 +12,9 @@ from threading import Lock
 import numpy as np
 
 from app.grade.assignment import Task
-from app.tolerance import FACTOR, TERMS, moved, norm
+from app.tolerance import FACTOR, TERMS, U, moved, norm
 
-U = {"python": 2.0**-44, "glsl": 2.0**-24}
+LANGUAGE = {"python": "float64", "glsl": "float32"}
 WIDE = 0.1  # of f: beyond it the allowance is a factor
 NOTHING = 1e-30  # below, float32 may have lost it on the way: finite and no larger is right
 LARGEST = 2.0**127
@@ -70,6 +69,7 @@ MEMORY = Memory()
 def truth(task: Task, args: dict[str, np.ndarray], language: str) -> Truth:
     """The reference at some rows, and what each is allowed."""
     f: Callable = task.reference
+    u = U[LANGUAGE[language]]
     with np.errstate(all="ignore"):
         value = np.asarray(f(**args), float)
         vector = value.ndim > 1
@@ -79,8 +79,8 @@ def truth(task: Task, args: dict[str, np.ndarray], language: str) -> Truth:
             cost = cost + TERMS[task.function](**args)
         for name in task.powers:
             cost = cost + np.abs(args[name]) * size
-        relative = np.where(size > 0, FACTOR * U[language] * cost / np.where(size > 0, size, 1), 0.0)
-        absolute = FACTOR * U[language] * (task.absolute + np.where(size > 0, 0.0, cost))
+        relative = np.where(size > 0, FACTOR * u * cost / np.where(size > 0, size, 1), 0.0)
+        absolute = FACTOR * u * (task.absolute + np.where(size > 0, 0.0, cost))
     return Truth(value, absolute, relative)
 
 

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from app import VERSION
-from app.grade import intake
+from app.grade import intake, overrides, work
 from app.grade.assignment import Assignment, load
 from app.grade.executor import DaskExecutor, Executor, LocalExecutor
 from app.grade.level import LEVELS, MEANING
@@ -37,6 +37,7 @@ def run(options: argparse.Namespace) -> int:
         raise Usage(f"there is no level {options.level}; there are {', '.join(LEVELS)}.")
     if options.jobs < 0:
         raise Usage(f"--jobs {options.jobs}: at least one submission at a time.")
+    work.timed_texts(assignment)
     handed_in = intake.students(options.submissions)
     results = Path(options.output).expanduser()
     executor: Executor = DaskExecutor(options.scheduler) if options.scheduler else LocalExecutor(
@@ -58,8 +59,6 @@ def cores() -> int:
 
 def the_machine(executor: Executor, named: str) -> dict:
     """What the workers are, found by their own self-test; below L2 only by name."""
-    from app.grade import work
-
     executor.submit(work.described, {"named": named})
     _, facts = next(executor.as_completed())
     if facts is None:
@@ -79,13 +78,12 @@ class Class:
                  machine: dict, results: Path, named: str) -> None:
         self.assignment, self.handed_in, self.executor, self.store = assignment, handed_in, executor, store
         self.machine, self.results, self.named = machine, results, named
+        self.by_hand = overrides.read(results)
         self.keys: dict[str, str] = {}
         self.facts: dict[str, dict] = {}  # student -> the submission's part of result.json
         self.bodies: dict[str, dict] = {}
 
     def grade(self) -> int:
-        from app.grade import work
-
         jobs: dict[str, dict] = {}
         for student, entries in self.handed_in.items():
             job = self.job(student, entries)
@@ -156,9 +154,10 @@ class Class:
         for student, body in bodies.items():
             whole = {**body, "submission": self.facts[student], "grader": grader,
                      "seed": {"public": "public", "hidden_hash": seed},
+                     "overrides": [self.by_hand[student]] if student in self.by_hand else [],
                      "same_as": [other for other in sorted(sharing[self.keys[student]]) if other != student]}
             durable(self.results / "students" / folder_of(student) / "result.json", as_bytes(whole))
-        durable(self.results / "marks.csv", marks(bodies, self.assignment.points))
+        durable(self.results / "marks.csv", marks(bodies, self.assignment.points, self.by_hand))
 
     def tell(self) -> None:
         words = ", ".join(f"{count} {name}" for name, count in self.counts.items())
@@ -174,13 +173,15 @@ def folder_of(student: str) -> str:
     return plain if plain == student else f"{plain[:80]}-{hashlib.sha256(student.encode()).hexdigest()[:8]}"
 
 
-def marks(bodies: dict[str, dict], most: float) -> bytes:
+def marks(bodies: dict[str, dict], most: float, by_hand: dict[str, dict]) -> bytes:
     """RFC 4180, and no cell that a spreadsheet would take for a formula."""
     out = io.StringIO()
     table = csv.writer(out, lineterminator="\r\n")
     table.writerow(COLUMNS)
     for student in sorted(bodies):
         body = bodies[student]
+        if student in by_hand:
+            body = {"score": by_hand[student]["points"], "verdict": "override"}
         score = "" if body.get("score") is None else f"{body['score']:.6g}"
         table.writerow([cell(student), score, f"{most:.6g}", body["verdict"]])
     return out.getvalue().encode()

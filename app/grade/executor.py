@@ -4,6 +4,7 @@ Both have four methods: submit, as_completed, cancel, close. A task gets and ret
 never runs in a worker itself. A task may be run twice, on a cluster, and gives the same bytes both times.
 """
 
+import queue
 from collections.abc import Callable, Iterator
 from concurrent import futures
 from typing import Any, Protocol
@@ -33,24 +34,27 @@ class Waiting:
     def __init__(self, pool: futures.Executor, slots: int, patience: float = PATIENCE) -> None:
         self.pool, self.slots, self.patience = pool, slots, patience
         self.jobs: dict[futures.Future, dict] = {}
+        self.finished: queue.SimpleQueue[futures.Future] = queue.SimpleQueue()
 
     def submit(self, task: Callable[[dict], dict], job: dict) -> futures.Future:
         future = self.pool.submit(task, job)
         self.jobs[future] = job
+        future.add_done_callback(self.finished.put)
         return future
 
     def as_completed(self) -> Iterator[tuple[dict, dict | None]]:
         """Jobs with their results as they come, those submitted meanwhile too; None where the task itself was lost."""
         while self.jobs:
-            done, _ = futures.wait(self.jobs, timeout=self.patience, return_when=futures.FIRST_COMPLETED)
-            if not done:  # every wait has an end: a cluster that lost its workers
+            try:
+                future = self.finished.get(timeout=self.patience)
+            except queue.Empty:  # every wait has an end: a cluster that lost its workers
                 for job in [self.jobs.pop(future) for future in list(self.jobs)]:
                     yield job, None
                 return
-            for future in done:
-                job = self.jobs.pop(future)
-                if not future.cancelled():
-                    yield job, None if future.exception() else future.result()
+            if future in self.jobs and not future.cancelled():
+                yield self.jobs.pop(future), None if future.exception() else future.result()
+            else:
+                self.jobs.pop(future, None)
 
     def cancel(self) -> None:
         """Nothing new is begun; what runs goes on to its end."""

@@ -160,13 +160,12 @@ class Sheet:
         verdict = ("pass" if not wrong else "nonfinite" if not np.any(good) and not np.all(finite)
                    else "partial" if np.any(good) else "wrong")
         worst = None
-        message = ""
-        if wrong:
+        if wrong and not PART[part]:  # hidden points are not sent back
             far = np.where(good, -1.0, np.where(finite, off_by(known.part(at), values[at]), np.inf))
             i = at.start + int(np.argmax(far))
             worst = Worst({name: tidy(x[i]) for name, x in args.items()}, tidy(values[i]), tidy(known.value[i]),
                           float(min(far.max(), 1e300)))
-            message = self.sentence(known.part(at), values[at], good, finite)
+        message = self.sentence(known.part(at), values[at], good, finite) if wrong else ""
         return Test(f"{task.function}/{rows.name}", "points", task.function, rows.name, self.language, part, most,
                     most * share, most, verdict, rows.count, wrong, worst,
                     message_key="" if not wrong else "points_wrong", message=message,

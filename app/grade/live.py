@@ -92,7 +92,8 @@ def graded(assignment: Assignment, language: Language, text: str) -> tuple[Resul
 
 
 def limits(assignment: Assignment) -> Limits:
-    return Limits(cpu=max(1, round(assignment.seconds)))
+    """Tighter than when it is handed in: a person waits, and here are a few hundred points."""
+    return Limits(cpu=max(1, min(2, round(assignment.seconds))), wall=3.0)
 
 
 def without_speed(assignment: Assignment) -> Assignment:

@@ -24,25 +24,24 @@ def test(task: Task, language: str, part: str, most: float, values: np.ndarray,
     known, _ = MEMORY.known(task, args, language)
     finite = bool(np.all(np.isfinite(values)))
     images = {"expected": image(known.value, mask), "got": image(values, mask)}
-    off, rmse, peak = errors(images["expected"], images["got"], mask) if finite else (None, np.inf, np.inf)
+    off, rmse, peak = np.zeros(mask.shape), np.inf, np.inf
+    if finite:
+        off, rmse, peak = errors(images["expected"], images["got"], mask)
     excess = max(rmse / RMSE, peak / PEAK)
     share = 0.0 if not finite else float(np.clip(1 - np.log(max(excess, 1)) / np.log(WORST), 0, 1))
     verdict = "nonfinite" if not finite else "pass" if share == 1 else "partial" if share > 0 else "wrong"
     right = agrees(known, values)
-    worst = None
-    message = ""
-    if verdict != "pass":
-        at = int(np.argmax(np.where(np.isfinite(off[mask]), off[mask], np.inf))) if off is not None else int(
-            np.argmin(np.all(np.isfinite(values.reshape(len(values), -1)), -1)))
-        worst = Worst({name: np.asarray(x[at]).tolist() for name, x in args.items()}, np.asarray(values[at]).tolist(),
-                      np.asarray(known.value[at]).tolist(), float(min(excess, 1e300)))
-        message = "there are pixels that are no numbers." if not finite else (
-            f"the picture is off by {rmse:.1%} (RMSE) and {peak:.1%} (99.9th percentile); right are at most {RMSE:.0%} "
-            f"and {PEAK:.0%}.")
+    seen = part == "visible"  # of the hidden picture nothing is sent back but how far it is off
+    message = "" if verdict == "pass" else "there are pixels that are no numbers." if not finite else (
+        f"the picture is off by {rmse:.1%} (RMSE) and {peak:.1%} (99.9th percentile); right are at most {RMSE:.0%} and "
+        f"{PEAK:.0%}.")
+    at = int(np.argmax(np.where(np.isfinite(values.reshape(len(values), -1)).all(-1), off[mask], np.inf)))
+    worst = Worst({name: np.asarray(x[at]).tolist() for name, x in args.items()}, np.asarray(values[at]).tolist(),
+                  np.asarray(known.value[at]).tolist(), float(min(excess, 1e300))) if message and seen else None
     return Test(f"{task.function}/picture", "image", task.function, "picture", language, part, most,
                 most * share, most, verdict, len(values), int(np.sum(~right)), worst,
                 message_key="picture" if message else "", message=message,
-                figures=figures(images["expected"], images["got"], mask) if message and part == "visible" else ())
+                figures=figures(images["expected"], images["got"], mask) if message and seen else ())
 
 
 def image(values: np.ndarray, mask: np.ndarray) -> np.ndarray:

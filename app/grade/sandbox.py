@@ -71,12 +71,23 @@ def readable(worker: str) -> list[str]:
     return [*SYSTEM, *standard_library(), *packages]
 
 
+def command(worker: str, layers: tuple[str, ...], limits: Limits, more: dict) -> list[str]:
+    """The launcher's words: what to put on, what may be read, and the worker to go on with."""
+    order = {"worker": worker, "layers": layers, "readable": readable(worker) if "landlock" in layers else [],
+             "packages": {name: package_files(name)[0] for name in PACKAGES[worker]}, "cpu": limits.cpu,
+             "memory": limits.memory, "parent": os.getpid(), **more}
+    return [os.path.realpath(sys.executable), "-I", "-S", "-B", str(CHILD / "launch.py"), json.dumps(order)]
+
+
+def environment() -> dict[str, str]:
+    """Nothing of the supervisor's own; elsewhere than on Linux a process cannot start without some of it."""
+    here = {name: value for name, value in ENVIRONMENT.items() if not value.startswith("/usr/") or Path(value).exists()}
+    return here if sys.platform.startswith("linux") else {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+
+
 def start(worker: str, layers: tuple[str, ...], limits: Limits, questions: int, out: int,
           more: dict | None = None) -> subprocess.Popen:
     """The process, about to lock itself in: it reads the descriptor `questions` and answers on `out`."""
-    order = {"worker": worker, "layers": layers, "readable": readable(worker) if "landlock" in layers else [],
-             "packages": {name: package_files(name)[0] for name in PACKAGES[worker]}, "cpu": limits.cpu,
-             "memory": limits.memory, "out": out, "parent": os.getpid(), **(more or {})}
-    command = [os.path.realpath(sys.executable), "-I", "-S", "-B", str(CHILD / "launch.py"), json.dumps(order)]
-    return subprocess.Popen(command, stdin=questions, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=(out,),
-                            env=ENVIRONMENT, cwd="/", start_new_session=True)  # Ctrl-C is not for it
+    return subprocess.Popen(command(worker, layers, limits, {"out": out, **(more or {})}), stdin=questions,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=(out,), env=environment(), cwd="/",
+                            start_new_session=True)  # Ctrl-C is not for it

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.grade import glsl_text, level
-from app.grade.conversation import Answer, Call, Ending, Ours, converse
+from app.grade import glsl_text, level, plain
+from app.grade.answers import Answer, Call, Ending, Ours
+from app.grade.conversation import converse
 from app.grade.intake import Submission
 from app.grade.question import FILES, Language, Question, Reply
 from app.grade.sandbox import LAYERS, Limits
@@ -108,7 +109,10 @@ class Asking:
         worker, dtype = WORKER[self.language]
         calls = [Call(q.function, tuple(np.asarray(a)[r] for a in q.args.values()), q.width)
                  for (q, _), r in zip(plan, rows, strict=True)]
-        ending = converse(worker, self.text, calls, self.layers, self.limits, dtype)
+        if plain.NEEDED:
+            ending = plain.converse(worker, self.text, calls, self.limits, dtype)
+        else:
+            ending = converse(worker, self.text, calls, self.layers, self.limits, dtype)
         self.spent += max(ending.cpu, ending.wall / self.limits.wall)
         halves: dict[str, list[Answer]] = {}
         for (q, _), got in zip(plan, ending.answers, strict=False):

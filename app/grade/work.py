@@ -6,6 +6,7 @@ import io
 import os
 import platform
 import socket
+import statistics
 import time
 from functools import lru_cache
 from pathlib import Path
@@ -14,9 +15,9 @@ import numpy as np
 
 from app import VERSION
 from app.grade import assignment as assignments
-from app.grade import intake, level, questions
+from app.grade import intake, level, questions, texts
 from app.grade.judge import judge
-from app.grade.question import Question
+from app.grade.question import FILES, Language, Question
 from app.grade.result import Result, line
 from app.grade.sandbox import Limits
 from app.grade.supervisor import answer
@@ -48,6 +49,29 @@ def asked(path: str, digest: str, seed: str) -> tuple[assignments.Assignment, li
     return found, questions.questions(found) + questions.questions(found, seed, hidden=True)
 
 
+def timed_texts(assignment: assignments.Assignment) -> dict[Language, str]:
+    """The solutions of the tasks that pay for speed; a Problem where there is none."""
+    tasks = [task for task in assignment.tasks if task.runtime]
+    return {language: texts.joined([(task.function, texts.solution(task, language)) for task in tasks], language)
+            for language in FILES if tasks and language in assignment.languages}
+
+
+@lru_cache(2)
+def times(path: str, digest: str, seed: str, granted: str) -> dict[str, float]:
+    """Question -> processor seconds of the solution on this machine, in the same sandbox: the median of five."""
+    assignment, all_of = asked(path, digest, seed)
+    paid = {task.function for task in assignment.tasks if task.runtime}
+    found: dict[str, list[float]] = {}
+    for language, text in timed_texts(assignment).items():
+        solution = intake.Submission("the solution", {FILES[language]: text.encode()})
+        some = [one for one in all_of if one.language == language and one.function in paid]
+        for _ in range(5):
+            for reply in answer(solution, some, granted=granted):
+                if not reply.verdict:
+                    found.setdefault(reply.id, []).append(reply.seconds)
+    return {key: statistics.median(seconds) for key, seconds in found.items()}
+
+
 @lru_cache(1)
 def here(named: str) -> dict:
     return machine(named)
@@ -67,7 +91,8 @@ def grade(job: dict) -> dict:
             raise Problem("the submission is another one here than where the grading was started.")
         found, all_of = asked(job["assignment"], job["digest"], job["seed"])
         limits = Limits(cpu=max(1, round(found.seconds)))
-        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]))
+        solution = times(job["assignment"], job["digest"], job["seed"], job["level"])
+        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]), solution)
         body = as_json(result)
     except Exception as error:  # ours, whatever it is: the student loses nothing by it
         body = {"verdict": "ungraded", "score": None, "tests": [], "why": f"{type(error).__name__}: {error}"[:500]}

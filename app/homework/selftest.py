@@ -11,10 +11,11 @@ from app.grade import texts
 from app.grade.assignment import LANGUAGES, Assignment, Task, assignments, load
 from app.grade.intake import Submission
 from app.grade.judge import judge
-from app.grade.live import OWN, limits, without_speed
+from app.grade.live import OWN, without_speed
 from app.grade.question import FILES, Language
 from app.grade.questions import questions
 from app.grade.result import Suspect, Test
+from app.grade.sandbox import Limits
 from app.grade.supervisor import answer
 
 STUB_MOST = 0.05  # of its points, for what is no answer
@@ -111,7 +112,7 @@ def of_file(whole: Assignment, language: Language, together: list[Case], asked: 
     text = texts.joined([(case.function, case.text) for case in together], language)
     submission = Submission("selftest", {FILES[language]: text.encode()})
     questioned = [question for case in together for question in asked[case.function]]
-    replies = answer(submission, questioned, limits(whole), granted=OWN)
+    replies = answer(submission, questioned, Limits(cpu=round(whole.seconds)), granted=OWN)
     found = []
     for case in together:
         one = replace(whole, tasks=(whole.task(case.function),))

@@ -258,7 +258,7 @@ def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.nd
     failed = [f"× {line.label}: {line.silent[-1].words}" for line in record.lines if line.silent]
     gap, high = round(0.5 * look.text), round(1.3 * look.small)
     room = look.size[0] - 2 * gap
-    rows = [("time of one estimate", look.foreground)]
+    rows = [("time of one estimate" if record.where == "CPU" else "time of one frame", look.foreground)]
     rows += [(row, SILENT) for text in failed[:1 if brief else 3] for row in wrapped(look, text, look.small, room)]
     rows += [(row, look.quiet) for row in wrapped(look, study.why, look.small, room) if not brief]
     picture = Image.new("RGB", (look.size[0], high * len(rows) + gap), bytes3(look.background))

@@ -85,8 +85,9 @@ class PlotProcess:
         if self.size is None or self.theme is None:
             raise ValueError("a plot needs a size and a theme, here or when its process is started")
         self.count += 1
-        wish = Wish(plot, only(values, plotted(plot)), (int(self.size[0]), int(self.size[1])), self.theme, dict(ranges or {}), camera,
-                    triangles, fine, fresh, self.count)
+        size = int(self.size[0]), int(self.size[1])
+        wish = Wish(plot, only(values, plotted(plot)), size, self.theme, dict(ranges or {}), camera, triangles, fine,
+                    fresh, self.count)
         with self.lock:
             self.wish = self.last = wish
             self.lock.notify_all()

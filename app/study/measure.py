@@ -1,8 +1,9 @@
 """The clock of a study: every method climbs its ladder, in turns, within a budget of time.
 
-First all methods go up together, rung by rung, so that what disturbs the machine disturbs all; each rung is run for
-every angle and, where it is random, for several seeds, which gives its error. What is left of the budget goes into
-further times of the points that have fewest. The first run of each method warms it up and does not count.
+First the methods go up, always the one whose next rung costs least, so that all come about as far in time; each rung is
+run for every angle and, where it is random, for several seeds, which gives its error. What is left of the budget goes
+into further times of all points in turn, so that what disturbs the machine disturbs all. The first run of each method
+warms it up and does not count.
 """
 
 import itertools
@@ -56,14 +57,13 @@ def measure(study: Study, values: dict, budget: float, seeds: int = 0, step: str
     begin = perf_counter()
     end, climbing = begin + budget, begin + CLIMB * budget
     while alive := [one for one in climbers if one.alive]:
-        for one in alive:
-            now = perf_counter()
-            share = max(climbing - now, 0.0) / len(alive)
-            if one.points and expected(one, len(angles)) > share:
-                one.line.stopped = "the time was up"
-                continue
-            climb(one, study, angles, exact)
-            report()
+        one = min(alive, key=lambda one: expected(one, len(angles)))
+        if one.points and perf_counter() + expected(one, len(angles)) > climbing:
+            for late in alive:
+                late.line.stopped = "the time was up"
+            break
+        climb(one, study, angles, exact)
+        report()
     again(climbers, study, angles, end, report)
     record.seconds = perf_counter() - begin
     return record

@@ -22,6 +22,7 @@ th:first-child, td:first-child { text-align: left; }
 td.lost { color: var(--quiet); }
 td.silent { color: #D5008F; text-align: left; white-space: normal; }
 td.first { font-weight: 700; }
+nav a { white-space: nowrap; }
 .wide { overflow-x: auto; }
 .study { margin: 2.2rem 0 0; padding-top: 1.4rem; border-top: 1px solid var(--line); }
 .study img { max-width: 100%; height: auto; border-radius: 10px; box-shadow: 0 0 0 1px var(--line); }

@@ -1,10 +1,10 @@
 """A record as a table a person can read, and as JSON."""
 
+from app.plots.ticks import number
 from app.readouts import duration
 from app.study.record import TOLERANCES, Line, Record
 
-HEADS = ("method", *(f"to {tolerance:.0e}".replace("e-0", "e-") for tolerance in TOLERANCES), "order in N", "best",
-         "")
+HEADS = ("method", *(f"to {number(tolerance)}" for tolerance in TOLERANCES), "order in N", "best", "")
 
 
 def table(record: Record) -> str:
@@ -27,7 +27,7 @@ def row(line: Line) -> tuple[str, ...]:
     order = f"{line.order[0]:.2f} ± {line.order[1]:.2f}" if line.order else ""
     best = min(point.error for point in line.points)
     silent = f"silent: {line.silent[-1].words}" if line.silent else ""
-    return line.label, *reached, order, f"{best:.0e}", silent
+    return line.label, *reached, order, number(float(f"{best:.0e}")), silent
 
 
 def wins(record: Record) -> str:
@@ -36,10 +36,10 @@ def wins(record: Record) -> str:
     for tolerance in TOLERANCES:
         winner = record.winner(tolerance)
         words = f"{winner[0].label} ({duration(1e3 * winner[1].time)}, N = {winner[1].samples})" if winner else "nobody"
-        found.append(f"{tolerance:.0e} {words}".replace("e-0", "e-"))
+        found.append(f"{number(tolerance)}: {words}")
     exact = [line for line in record.lines if line.reference and line.points]
     also = f"; the closed form needs {duration(1e3 * exact[0].points[0].time)}" if exact else ""
-    return "first to " + ", ".join(found) + also + "."
+    return "first to " + "; to ".join(found) + also + "."
 
 
 def as_data(record: Record) -> dict:

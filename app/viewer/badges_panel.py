@@ -25,6 +25,7 @@ class BadgesPanel:
         self.thread = ThreadPoolExecutor(1, "badges")
         self.known: OrderedDict[tuple, dict[str, Badge] | str] = OrderedDict()
         self.job: Future | None = None
+        self.seen = -1  # the revision of the last look
         self.last: dict[tuple, dict[str, Badge] | str] = {}  # of the model of a step, as it was shown last
 
     @property
@@ -110,8 +111,10 @@ class BadgesPanel:
             draw.add_circle(ImVec2(x, y), 1.35 * r, style.u32(colour("foreground", theme)), 0, 0.5 * wide)
 
     def ask(self, models: tuple[Model, ...], values: dict) -> None:
-        """One job at a time, for the first model whose badges are not known."""
-        if self.job is not None:
+        """One job at a time, for the first model whose badges are not known. Models of the board are dear, and wait
+        until nothing moves."""
+        moving, self.seen = self.app.session.revision != self.seen, self.app.session.revision
+        if self.job is not None or (moving and any(":" in model.term.function for model in models)):
             return
         for model in models:
             wanted = key(model, values)

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import numpy as np
 
-from app import edit, maps, tables
+from app import edit, leaving, maps, tables
 from app.board.board_step import MOST, name_of, words_of
 from app.board.models import FILES
-from app.catalog import BOARD
+from app.catalog import BOARD, LoadedStep
 from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
 from app.ies import Photometry, read
@@ -25,6 +25,7 @@ class Belongings:
         self.maps: dict[str, maps.OwnMap] = {}  # the user's own, by their kind
         self.lamp = 0  # that was chosen when the user's luminaire came
         self.placed: tuple = ()  # the step and the mesh on the stage
+        self.decided: tuple[leaving.Decision, ...] = ()  # what the scene does without, at the present values
         self.fault = ""  # why this step has no picture
         self.tried: tuple = ()  # the step and the texts that were compiled last
         self.wrong = ""  # what is wrong with the user's texts
@@ -108,25 +109,22 @@ class Belongings:
     def place(self) -> None:
         """A stage for the step that is shown, with its mesh; made again when either changes."""
         found, values = self.app.session.current, self.app.session.values
+        self.decided = leaving.decisions(found, values, self.app.session.visit.decided)
+        found = leaving.lean(found, self.decided)
         if self.ies is not None and values.get("luminaire", self.lamp) != self.lamp:
             self.ies = None  # a luminaire was chosen: back to the scene's own
         self.tables = tables.chosen(found.step.scene, values, self.ies, self.maps)
         is_mesh = any(s.mesh for s in found.step.scene.surfaces)
         shape = int(values.get("shape", 0)) if is_mesh else -1
-<<<<<<< HEAD
-        wanted = (found.id, found.step.scene.texts), shape, id(self.mesh) if is_mesh else 0  # texts: it may be broken
-        if wanted == self.placed:
-            return
-=======
-        wanted = found.id, shape, id(self.mesh) if is_mesh else 0
+        # texts: it may be broken, or do without something
+        wanted = (found.id, found.step.scene.texts), shape, id(self.mesh) if is_mesh else 0
         if wanted != self.placed:
-            self.place_anew(wanted)
+            self.place_anew(found, wanted)
         self.write()
 
-    def place_anew(self, wanted: tuple) -> None:
-        found, (_, shape, _) = self.app.session.current, wanted
+    def place_anew(self, found: LoadedStep, wanted: tuple) -> None:
+        shape = wanted[1]
         is_mesh = shape >= 0
->>>>>>> integ
         was, self.placed, self.fault = self.placed, wanted, ""
         if self.mesh is not None and was[:1] == wanted[:1] and was[1] not in (-1, shape):
             self.mesh, self.placed = None, (*wanted[:2], id(None))  # a shape was chosen: back to the scene's own

@@ -7,6 +7,8 @@ from imgui_bundle import imgui
 from app.board import course_model
 from app.board.board_step import MOST, BoardStep, Entry, name_of, round_up
 from app.board.coated import Coated
+from app.board.merl import Merl
+from app.board.models import FIT
 from app.catalog import BOARD
 from app.problem import Problem
 from app.readouts import Number, numbers
@@ -75,6 +77,10 @@ class BoardPanel:
             imgui.same_line(right - 1.4 * unit)
             if imgui.small_button("×"):
                 self.change([pair for k, pair in enumerate(words) if k != i])
+        fitted = FIT + entry.word
+        if (isinstance(entry.model, Merl) and fitted not in [word for word, _ in words]
+                and imgui.small_button("compare with a fitted Cook-Torrance")):
+            self.change([*words, (fitted, sum(on for _, on in words) < MOST)])
         if entry.fault:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("r", self.app.theme)))
             imgui.text_wrapped(entry.fault)

@@ -20,7 +20,7 @@ class CodeEditor:
 
     def __init__(self, text: str = "", language: Language = "glsl", on_change: Callable[[str], None] | None = None,
                  read_only: bool = False):
-        self.on_change, self.text = on_change, text
+        self.on_change, self.text = on_change, text.rstrip("\n")
         self.markers: tuple[Marker, ...] = ()
         self.theme = ""
         self.widget = edit.TextEditor()
@@ -34,10 +34,11 @@ class CodeEditor:
         self.widget.set_word_wrap_enabled(True)
         self.widget.set_show_line_numbers_enabled(not read_only)
         self.widget.set_read_only_enabled(read_only)
-        self.widget.set_text(text)
+        self.widget.set_text(self.text)
 
     def set(self, text: str) -> None:
         """Another text in place of this one; Ctrl+Z goes back to what was there."""
+        text = text.rstrip("\n")
         if text != self.text:
             last = self.widget.get_line_count() - 1
             end = edit.TextEditor.DocPos(last, len(self.widget.get_line_text(last)))
@@ -83,7 +84,7 @@ class CodeEditor:
         imgui.pop_font()
         if self.widget.is_read_only_enabled():
             return
-        now = self.widget.get_text()
+        now = self.widget.get_text().rstrip("\n")  # it ends the last line too
         if now != self.text:
             self.text = now
             if self.on_change:

@@ -1,11 +1,13 @@
 """The editor of the step's GLSL, in the place of the prose: a function is typed, and picture, plots, numbers follow."""
 
+import time
+
 from imgui_bundle import ImVec2, imgui
 
 from app import edit, own_models
 from app.edit import SCENE, Function
 from app.problem import Problem
-from app.viewer import style, text_panel
+from app.viewer import style
 from app.viewer.code_editor import CodeEditor
 
 MOST = 0.55  # of the column, the code
@@ -19,6 +21,7 @@ class EditorPanel:
         self.chosen: dict[str, str] = {}  # step -> the function that was edited last
         self.widget: CodeEditor | None = None
         self.of: tuple[str, str] = ("", "")  # the step and the function in the widget
+        self.typed_at = 0.0  # 0: what was typed is on disk
         self.name = ""  # to save under
         self.listed: list[own_models.Saved] = []
 
@@ -45,6 +48,7 @@ class EditorPanel:
     def typed(self, text: str) -> None:
         """What was typed runs at once, so that the next picture shows it."""
         self.app.session.type(self.of[1], text)
+        self.typed_at = time.monotonic()
         self.app.own.write()
 
     def restore(self) -> None:
@@ -75,7 +79,7 @@ class EditorPanel:
         self.buttons(name)
         imgui.separator()
         imgui.begin_child("prose")
-        text_panel.draw(self.app)
+        self.app.text_column()
         imgui.end_child()
 
     def choice(self, function: Function) -> None:

@@ -5,12 +5,7 @@ from imgui_bundle import imgui
 from app.state import FARTHEST, NEAREST, View
 
 LETTERS = {imgui.Key.o: "o", imgui.Key.n: "n", imgui.Key.r: "r", imgui.Key.c: "c", imgui.Key.t: "t", imgui.Key.f: "f",
-<<<<<<< HEAD
-           imgui.Key.p: "p", imgui.Key.b: "b"}
-=======
-           imgui.Key.p: "p",
-           imgui.Key.e: "e"}
->>>>>>> integ
+           imgui.Key.p: "p", imgui.Key.b: "b", imgui.Key.e: "e"}
 
 ARROWS = (  # key, degrees around, degrees up, times the distance
     (imgui.Key.left_arrow, -5.0, 0.0, 1.0), (imgui.Key.right_arrow, 5.0, 0.0, 1.0),

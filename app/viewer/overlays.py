@@ -16,11 +16,8 @@ KEYS = (
     ("Ctrl+Z, Ctrl+Y", "undo and redo"),
     ("C", "copy the state of this step"),
     ("F", "freeze the picture for a guess"),
-<<<<<<< HEAD
     ("B", "break it: naive forms where they fail; again: put right"),
-=======
     ("E", "edit the GLSL of this step; Ctrl+R: the course's text, Esc: close"),
->>>>>>> integ
     ("P", "the next plot of a step that has several"),
     ("Tab, arrows, Space", "from control to control, change, press"),
     ("Shift and arrows, + or -", "turn the picture, zoom"),

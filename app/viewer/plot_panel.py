@@ -5,7 +5,7 @@ from imgui_bundle import ImVec2, imgui
 
 from app import needs
 from app.edit import EDITED, marked
-from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, Plot, Slice, Study
+from app.lesson import Camera, Curves, Faces, Figure, ImageSlice, Ledger, Lobes, ModelPlot, Plot, Slice, Study
 from app.plots import PlotDied, PlotProcess
 from app.plots.wire import Spot
 from app.problem import Problem
@@ -14,7 +14,6 @@ from app.viewer import glfw, style
 from app.viewer.study_panel import StudyPanel
 
 TURN = 0.5  # degrees a pixel
-COURSES = "of the course, not of your text"
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
         ImageSlice: "image", Study: "study"}
@@ -44,6 +43,11 @@ class PlotPanel:
         self.marks: tuple = (None, (), None)  # the plot, the user's texts, the plot with them marked
 
     @property
+    def follows(self) -> bool:
+        """Whether anything in the plot is made of the user's texts."""
+        return self.marks[2] != self.marks[0]
+
+    @property
     def waiting(self) -> bool:
         return self.process is not None and not self.process.idle
 
@@ -58,7 +62,8 @@ class PlotPanel:
         for i, word in enumerate(tab_words(plots)):
             if i:
                 imgui.same_line(0, gap)
-                if imgui.get_cursor_pos_x() + imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x > right:
+                wide = imgui.calc_text_size(word).x + 2 * imgui.get_style().frame_padding.x
+                if imgui.get_cursor_pos_x() + wide > right:
                     imgui.new_line()
             chosen = i == session.visit.plot
             if chosen:
@@ -84,7 +89,6 @@ class PlotPanel:
         current = self.of == self.app.session.current.id and self.showing is self.app.session.plot
         if self.texture is not None and current and not self.fault and not hidden:
             imgui.image(imgui.ImTextureRef(self.texture.glo), room)
-            self.whose(at, room, values)
         else:
             self.empty(at, room, hidden)
         imgui.set_cursor_screen_pos(at)
@@ -104,15 +108,9 @@ class PlotPanel:
         """Wish for a picture when something it shows has changed; a finer one when the hand rests."""
         found, theme, plot = self.app.session.current, self.app.theme, self.app.session.plot
         camera = self.cameras.get((found.id, plot.title))
-<<<<<<< HEAD
-        triangles = values.get("triangles")
+        triangles = None if isinstance(plot, ModelPlot) else values.get("triangles")  # a model is of no mesh
         shown = {k: v for k, v in values.items() if k != "triangles"}
-        known = {k: id(v) if isinstance(v, np.ndarray) else v for k, v in values.items()}  # data by the object it is
-        wanted = found.id, id(plot), known, size, theme.name, camera
-=======
-        triangles, shown = values.get("triangles"), {k: v for k, v in values.items() if k != "triangles"}
-        wanted = found.id, plot.title, needs.key(values, needs.plotted(plot)), size, theme.name, camera
->>>>>>> integ
+        wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
         if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
             return
@@ -160,16 +158,6 @@ class PlotPanel:
         left = 5 * unit if text == ON_ITS_WAY else unit  # right of the axis
         begin = ImVec2(at.x + left, at.y + 0.45 * room.y)
         draw.add_text(imgui.get_font(), unit, begin, quiet, text, room.x - left - unit)
-
-    def whose(self, at: ImVec2, room: ImVec2, values: dict) -> None:
-        """A plot in which nothing is made of the user's text says so."""
-        if EDITED in values and self.marks[2] == self.marks[0]:
-            unit, theme = imgui.get_font_size(), self.app.theme
-            begin = ImVec2(at.x + 0.5 * unit, at.y + room.y - 1.2 * unit)
-            ink, ground = style.u32(style.ink("quiet", theme)), style.u32(rgb(theme.background), 0.85)
-            imgui.get_window_draw_list().add_rect_filled(ImVec2(at.x, begin.y - 0.1 * unit),
-                                                         ImVec2(at.x + room.x, at.y + room.y), ground)
-            imgui.get_window_draw_list().add_text(begin, ink, COURSES)
 
     def hidden_words(self) -> str:
         told = self.app.session.answer.stage == "revealed"

@@ -50,6 +50,7 @@ def draw(app) -> None:
     if not large or app.session.broken:
         question(app, step, theme)
         imgui.spacing()
+    app.lines.draw()
     break_panel.buttons(app)
     if app.show_notes:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")

@@ -12,6 +12,8 @@ from imgui_bundle import ImVec2, hello_imgui, imgui
 
 from app import tables
 from app.catalog import BOARD
+from app.edit import CODE, EDITED
+from app.gpu.context import adopt, step_aside
 from app.lesson import Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
@@ -20,13 +22,14 @@ from app.progress import Progress
 from app.readouts import Known, numbers
 from app.session import Session
 from app.theme import THEMES, Theme, rgb
-from app.viewer import bar, break_panel, controls, glfw, numbers_panel, overlays, style, text_panel
+from app.viewer import bar, break_panel, controls, glfw, leave_panel, numbers_panel, overlays, style, text_panel
 from app.viewer.badges_panel import BadgesPanel
 from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
-from app.viewer.editor_panel import EditorPanel
+from app.viewer.editor_panel import REST, EditorPanel
 from app.viewer.keys import press
+from app.viewer.lines_panel import LinesPanel
 from app.viewer.plot_panel import PlotPanel
 from app.viewer.scene_panel import ScenePanel
 
@@ -65,19 +68,22 @@ class Window:
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
         self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
-        self.editor = EditorPanel(self)
+        self.editor, self.lines = EditorPanel(self), LinesPanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
+        self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
         self.frame = 0
         for path in filter(None, (mesh, ies)):
             self.own.take_file(path)
         self.own.take_maps(maps)
+        step_aside()
 
     # --- the life of the window --------------------------------------------------------------------------------------
     def post_init(self) -> None:
         self.ctx = glfw.create_context()
+        adopt(self.ctx)
         self.is_software = "llvmpipe" in self.ctx.info["GL_RENDERER"] or "softpipe" in self.ctx.info["GL_RENDERER"]
         glfw.least_size(*LEAST)
         self.drop_callback = glfw.on_drop(self.dropped.extend)
@@ -91,6 +97,7 @@ class Window:
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
+        adopt(None)
 
     def after_swap(self) -> None:
         """Software GL queues frames it has not drawn yet, and its memory grows with them: wait for each."""
@@ -123,6 +130,9 @@ class Window:
         if self.session.revision != self.saved and time.monotonic() - self.saved_at > SAVE_EVERY:
             self.saved, self.saved_at = self.session.revision, time.monotonic()
             self.session.save()  # a crash loses seconds, not a lesson
+        if self.editor.typed_at and time.monotonic() - self.editor.typed_at > REST:
+            self.editor.typed_at = 0.0
+            self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
@@ -181,13 +191,18 @@ class Window:
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
         tall = 1.35 if isinstance(self.session.plot, Ledger) else 1.05  # its rows need the room
-        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * room.x)))
+        if EDITED in self.values and not self.plot.follows:
+            imgui.text_disabled("This plot is of the course, not of your text.")
+        # the width without a scroll bar: else the bar would take room from the plot, go, come back, for ever
+        width = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x
+        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * width)))
         imgui.spacing()
         try:
             if self.session.current.id.startswith(BOARD):
                 self.board.point(self.values)
             numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
+            leave_panel.draw(self)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
 
@@ -270,8 +285,8 @@ class Window:
         try:
             if target.startswith("?"):
                 self.session.apply(target)
-            elif target.startswith("code:"):
-                self.editor.open(target.removeprefix("code:"))
+            elif target.startswith(CODE):
+                self.editor.open(target.removeprefix(CODE))
             elif target.startswith(("http://", "https://")):
                 webbrowser.open(target)
             else:
@@ -286,8 +301,10 @@ class Window:
     @property
     def values(self) -> dict:
         """The step's values; a mesh step's also carry its triangles, those with measured luminaires their tables."""
-        values = self.session.values
-        return {**values, **self.session.current.derived(values), **self.own.data, **self.session.edited}
+        key = self.session.current.id, self.session.revision
+        if self.derived[0] != key:
+            self.derived = key, self.session.current.derived(self.session.values)
+        return {**self.session.values, **self.derived[1], **self.own.data, **self.session.edited}
 
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())

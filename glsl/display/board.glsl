@@ -84,7 +84,7 @@ vec3 board_normal(Surface s) {
 }
 
 vec3 as_colour(vec3 w) {
-    vec3 c = 0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye()));
+    vec3 c = max(0.5 + 0.5 * vec3(dot(w, aside()), dot(w, up()), dot(w, eye())), 0.0);
     return c * (0.0125 + c * (0.6822 + c * 0.3053)); // about the power 2.2, which is dear on a CPU
 }
 
@@ -133,7 +133,8 @@ vec3 board_mark(int mark, float t) {
 }
 
 vec4 board_probe(int i) { // names, then handles: the picked point, the light on the ball, and over the plate
-    if (i < MODELS) return vec4(ball_at(i) - (ball_size(i) + 0.13) * up(), 1.0);
+    float low = i == model || (i > model) != (i % 2 == 1) ? 0.13 : 0.33; // neighbours' names have room
+    if (i < MODELS) return vec4(ball_at(i) - (ball_size(i) + low) * up(), 1.0);
     if (i == MODELS) return vec4(foot(), 1.0);
     return vec4(board_mark(i == MODELS + 1 ? 1 : 5, 1.0), 1.0);
 }

@@ -10,6 +10,8 @@
 #include "optics/smith.glsl"
 #include "optics/spot.glsl"
 
+uniform sampler2D roughness_map;
+
 // What one shader for all scenes computes, whether a scene needs it or not: the yardstick of `halfway inspect --all`.
 
 vec3 everything_reflects(vec3 n, vec3 l, vec3 v, float m, float mask) {
@@ -26,7 +28,7 @@ vec3 everything_reflects(vec3 n, vec3 l, vec3 v, float m, float mask) {
 vec3 everything(vec3 position, vec3 n, vec3 v) {
     // A point light, a spotlight, an area light of 16 samples; maps of roughness and metal; exposure and tone curve
     vec2 place = fract(position.xy + position.z);
-    float m = 0.1 + 0.5 * stored_roughness(place.x, place.y), mask = map_pattern(place.x, place.y);
+    float m = 0.1 + 0.5 * stored_roughness(roughness_map, place.x, place.y), mask = map_pattern(place.x, place.y);
     vec3 sum = vec3(0.0), lamp = vec3(2.0, -2.0, 3.0), spot = vec3(-2.0, -1.0, 4.0);
     sum += irradiance_at(position, n, lamp, 20.0, 0.05) * everything_reflects(n, direction_to_light(position, lamp), v, m, mask);
     vec3 to_spot = direction_to_light(position, spot);

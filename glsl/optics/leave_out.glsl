@@ -29,6 +29,13 @@ float point_light_error(int light_shape, float light_height, float panel_width, 
     return brightest > 0.0 ? worst / brightest : 0.0;
 }
 
+float point_lights_error(float light_height, float panel_width, float panel_tilt) {
+    // Punctual Lights: the same of the worst of the four shapes
+    float worst = 0.0;
+    for (int i = 0; i < 4; i++) worst = max(worst, point_light_error(i, light_height, panel_width, panel_tilt));
+    return worst;
+}
+
 // f_material(1, material) of the metals
 const vec3 METAL_F0[5] = vec3[5](vec3(1.03460259, 0.72797254, 0.36533686), vec3(0.98932617, 0.98392153, 0.97784418), vec3(0.92871967, 0.62315060, 0.52233340), vec3(0.52969190, 0.51324382, 0.49426760), vec3(0.90728236, 0.91580660, 0.92231375));
 

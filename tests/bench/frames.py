@@ -1,6 +1,8 @@
 """Frames of 512 x 512 of every scene, ended with glFinish: without it llvmpipe has not drawn anything yet."""
 
-from app import catalog
+from itertools import count
+
+from app import catalog, edit
 from app.export.still import data
 from app.gpu.context import context
 from app.gpu.stage import Stage
@@ -11,6 +13,7 @@ from app.theme import THEMES
 from tests.bench.rows import Job, Row, in_turn, timed
 
 SIZE = (512, 512)
+EDITED = "microfacets/cook_torrance"
 ASKED, ASKED_OF_A_BALL = 3.0, 2.0
 BALL = """
 #include "display/balls.glsl"
@@ -39,7 +42,22 @@ def jobs() -> dict[str, Job]:
         for fine in (False, True):
             what = "at rest (4 samples)" if fine else "moving"
             found[f"{step.id}, {what}"] = frame(stage, values, step.step.scene.camera, fine)
-    return found
+    return found | {f"{EDITED}, {name} typed": edited(catalog.step(EDITED), name) for name in ("d_beckmann", "shade")}
+
+
+def edited(step: catalog.LoadedStep, name: str) -> Job:
+    """From a key to the picture: each time another text, checked, compiled and drawn."""
+    known, source, values = edit.functions(step), edit.source_of(step), defaults(step)
+    stage, numbers = Stage(context(), source), count()
+
+    def key() -> None:
+        text = known[name].text.replace("{", f"{{ float key = {next(numbers)}.0;", 1)
+        edit.check(text, known[name])
+        stage.rewrite(edit.overrides({name: text}, known, source))
+        stage.draw(values, step.step.scene.camera, SIZE, THEMES["dark"], False, counted=False)
+        stage.ctx.finish()
+
+    return timed(key)
 
 
 def frame(stage: Stage, values: dict, camera: Camera, fine: bool) -> Job:

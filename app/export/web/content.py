@@ -20,6 +20,8 @@ from app.spoken import said, words
 from app.state import defaults
 from app.theme import THEMES, Theme, colour, rgb
 
+QUIET = "#5D6574"  # small words on the light theme's panel: 4.5 to 1
+
 
 def content(found: LoadedStep) -> Data:
     """All of a step that the player plays; what needs OpenGL (its poster) is not here."""
@@ -83,10 +85,11 @@ def themed(theme: Theme) -> Data:
     """The theme for the shaders (linear light) and for the page (sRGB)."""
     seen = look(theme)
     names = (*COLOURS, "background", "panel", "foreground")
+    css = {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}
     return {"line": theme.line, "linear": rounded(seen["background"]), "srgb": rgb(theme.background),
             "palette": rounded(np.frombuffer(seen["palette"], "f4")),
             "stops": rounded(np.frombuffer(seen["colormap_stops"], "f4")),
-            "css": {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}}
+            "css": css | ({"quiet": QUIET} if theme.name == "light" else {})}
 
 
 def rounded(numbers) -> list[float]:

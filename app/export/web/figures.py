@@ -11,7 +11,20 @@ from app.catalog import LoadedStep
 from app.export.web import space
 from app.export.web.texts import Data, Twins, packed, scene
 from app.ledger import pretty
-from app.lesson import Curves, Faces, Figure, ImageSlice, Ledger, LedgerRow, Lobes, Model, Plot, Slice, Study, Term
+from app.lesson import (
+    Curves,
+    Faces,
+    Figure,
+    ImageSlice,
+    Ledger,
+    LedgerRow,
+    Lobes,
+    Model,
+    Plot,
+    Slice,
+    Study,
+    Term,
+)
 from app.optics import arguments
 from app.plots.models import CHANNELS
 from app.plots.sweep import Sweep
@@ -37,6 +50,8 @@ def plot(one: Plot, found: LoadedStep, twins: Twins) -> Data:
     if isinstance(one, Slice):
         return title | {"kind": "slice", "over": one.over, "polar": one.kind == "polar",
                         "lobes": lobes(one.models, found, twins)}
+    if isinstance(one, Study):
+        return title | {"kind": "still", "note": f"Measured where this page was made. {one.why}"}
     return title | in_space(one, found, twins)
 
 

@@ -133,7 +133,7 @@ def legend(content: Data) -> str:
 
 def badges(content: Data) -> str:
     def one(model: Data) -> str:
-        words = "".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
+        words = " ".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
                         f'{"✓" if b["ok"] else "✗"} {escape(b["short"])}</span>' for b in model["found"])
         return (f'<p class="badges" data-depends="{" ".join(model["depends"])}"><b class="ink-{model["ink"]}">'
                 f'{escape(model["label"])}</b> {words}<small> at the first values</small></p>')

@@ -9,8 +9,10 @@ import json
 import os
 import platform
 import socket
+import sys
 import threading
 
+CONTEXT = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}  # by name: a search is a process
 DENIED = "denied"
 CLONE3 = 435
 SHMGET = {"x86_64": 29, "aarch64": 194}
@@ -110,7 +112,7 @@ def picture() -> str:
     import moderngl  # noqa: TID251 - a process of its own, which cannot import app.gpu
     import numpy
 
-    names: dict = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}
+    names: dict = CONTEXT if sys.platform.startswith("linux") else {}
     ctx = moderngl.create_context(standalone=True, require=330, **names)
     ctx.simple_framebuffer((1, 1)).use()
     given = numpy.arange(100, dtype="<f4")

@@ -6,9 +6,11 @@ Blocks of 4096 points are read at once; the buffer is filled before each with a 
 """
 
 import re
+import sys
 
-from frames import LOADED, READY, VALUES, Pipe, Questions
+from frames import LOADED, READY, STARTED, VALUES, Pipe, Questions
 
+CONTEXT = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}  # by name: a search is a process
 BLOCK = 4096
 TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?(\d+)[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
@@ -40,10 +42,11 @@ def main(order: dict) -> None:
 
     pipe, questions = Pipe(order["out"]), Questions()
     text, calls = questions.header["text"], questions.header["calls"]
-    names: dict = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}  # as found: no search, no process
+    names: dict = CONTEXT if sys.platform.startswith("linux") else {}
     ctx = moderngl.create_context(standalone=True, require=330, **names)
     pixel = ctx.simple_framebuffer((1, 1))
     pixel.use()
+    pipe.send(STARTED, READY)
     pipe.send(LOADED, READY)
     programs: dict[str, moderngl.Program | str] = {}
     sentinel = numpy.uint32(0x7FC00000 | (questions.header["sentinel"] & 0x1FFFFF) | 1)

@@ -8,7 +8,7 @@ import linecache
 import sys
 import types
 
-from frames import LOADED, READY, VALUES, Pipe, Questions
+from frames import LOADED, READY, STARTED, VALUES, Pipe, Questions
 
 NAME = "submission.py"
 PLAIN = tuple(kind for kind in vars(builtins).values() if isinstance(kind, type) and issubclass(kind, BaseException))
@@ -78,6 +78,7 @@ def main(order: dict) -> None:
     module.__file__ = NAME
     sys.modules["submission"] = module
     names = vars(module)
+    pipe.send(STARTED, READY)
     try:
         exec(compile(text, NAME, "exec", dont_inherit=True), names)
     except BaseException as error:
