@@ -122,7 +122,8 @@ def window_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("state", metavar="STATE", help="chapter/step, with values if you like: ?distance=2.5&tilt=30")
+    parser.add_argument("state", metavar="STATE",
+                        help="chapter/step, with values if you like: ?distance=2.5&tilt=30; or a PNG of ours")
     window_arguments(parser)
 
 
@@ -136,7 +137,10 @@ def course(options: argparse.Namespace) -> int:
     if options.theme and options.theme not in THEMES:
         raise Usage(f"there is no theme {options.theme}.{near(options.theme, THEMES)}")
     if options.state:
+        from app.picture_state import is_picture, state_of
         from app.state import parse
+
+        options.state = state_of(options.state) if is_picture(options.state) else options.state
 
         parse(options.state)
     if not options.output and has_display():
@@ -149,7 +153,8 @@ def course(options: argparse.Namespace) -> int:
 # --- pictures --------------------------------------------------------------------------------------------------------
 def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
-    parser.add_argument("-o", "--output", metavar="FILE.png", required=True, help="where the picture goes")
+    parser.add_argument("-o", "--output", metavar="FILE.png", required=True,
+                        help="where the picture goes; of a plot of curves also .svg and .pdf")
     parser.add_argument("--size", metavar="WxH", help="pixels; 1280x720")
     parser.add_argument("--set", metavar="name=value", nargs="+", action="extend", default=[],
                         help="values of the step, angles in degrees")

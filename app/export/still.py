@@ -16,19 +16,21 @@ from app.export.png import png
 from app.export.shooting import shot
 from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
+from app.picture_state import KEY
 from app.problem import Usage, near
 from app.readouts import numbers
 from app.state import View, parse, parse_set, write
 from app.theme import THEMES, Theme
 
 Part = Literal["scene", "plot", "both"]
+ENDINGS, WHY = (".png", ".svg", ".pdf"), "stills are PNG files, curves also SVG and PDF"
 PARTS: tuple[Part, ...] = ("scene", "plot", "both")
 MESH = "triangles", "texture_coordinates"  # what plots have no use for as values
 
 
 def run(options) -> int:
     """options: step (a state string), output, size, set (name=value, ...), view, plot, theme, mesh, ies."""
-    path, size = target.picture_path(options.output), target.size_of(options.size or "1280x720")
+    path, size = target.path_of(options.output, ENDINGS, WHY), target.size_of(options.size or "1280x720")
     theme = THEMES[known("--theme", options.theme or "dark", tuple(THEMES))]
     part: Part = known("--view", options.view or "scene", PARTS)  # type: ignore[assignment]
     state = parse(options.step)
@@ -40,6 +42,11 @@ def run(options) -> int:
         values |= parse_set(text, found)
     values |= data(found, values, options.mesh, getattr(options, "ies", None), getattr(options, "map", None))
     plot = plot_number(found, getattr(options, "plot", None) or "1")
+    if path.suffix.lower() != ".png":
+        if part != "plot":
+            raise Usage(f"{path.name} can hold curves only; add --view plot, or write a .png.")
+        target.write(path, drawing(found, values, size, theme, plot, path.suffix.lower()[1:], state.view))
+        return 0
     picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
@@ -148,6 +155,15 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
                                          triangles=values.get("triangles")))
 
 
+def drawing(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme, plot: int, kind: str,
+            view: View | None) -> bytes:
+    """A plot of curves as SVG or PDF."""
+    from app.plots import vector
+
+    ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
+    return vector.drawing(found.step.plots[plot], values, size, theme, ranges, kind, write(found, values, view))
+
+
 def file_of(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
     """A PNG file's bytes; what was drawn and how to open it again stand in its text chunks."""
-    return png(picture, {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": state})
+    return png(picture, {"Title": found.step.title, "Software": f"Halfway {VERSION}", KEY: state})
