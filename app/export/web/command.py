@@ -78,8 +78,8 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
     data = content(found)
     small, stills = None, {}
     if poster:
+        from app.export.shooting import framed, shot
         from app.export.still import data as carried
-        from app.export.still import framed, shot
         from app.gpu.context import context
         from app.gpu.stage import Stage
         from app.gpu.stage_text import Source
