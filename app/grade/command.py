@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from app import VERSION
-from app.grade import intake, work
+from app.grade import intake, overrides, work
 from app.grade.assignment import Assignment, load
 from app.grade.executor import DaskExecutor, Executor, LocalExecutor
 from app.grade.level import LEVELS, MEANING
@@ -78,6 +78,7 @@ class Class:
                  machine: dict, results: Path, named: str) -> None:
         self.assignment, self.handed_in, self.executor, self.store = assignment, handed_in, executor, store
         self.machine, self.results, self.named = machine, results, named
+        self.by_hand = overrides.read(results)
         self.keys: dict[str, str] = {}
         self.facts: dict[str, dict] = {}  # student -> the submission's part of result.json
         self.bodies: dict[str, dict] = {}
@@ -153,9 +154,10 @@ class Class:
         for student, body in bodies.items():
             whole = {**body, "submission": self.facts[student], "grader": grader,
                      "seed": {"public": "public", "hidden_hash": seed},
+                     "overrides": [self.by_hand[student]] if student in self.by_hand else [],
                      "same_as": [other for other in sorted(sharing[self.keys[student]]) if other != student]}
             durable(self.results / "students" / folder_of(student) / "result.json", as_bytes(whole))
-        durable(self.results / "marks.csv", marks(bodies, self.assignment.points))
+        durable(self.results / "marks.csv", marks(bodies, self.assignment.points, self.by_hand))
 
     def tell(self) -> None:
         words = ", ".join(f"{count} {name}" for name, count in self.counts.items())
@@ -171,13 +173,15 @@ def folder_of(student: str) -> str:
     return plain if plain == student else f"{plain[:80]}-{hashlib.sha256(student.encode()).hexdigest()[:8]}"
 
 
-def marks(bodies: dict[str, dict], most: float) -> bytes:
+def marks(bodies: dict[str, dict], most: float, by_hand: dict[str, dict]) -> bytes:
     """RFC 4180, and no cell that a spreadsheet would take for a formula."""
     out = io.StringIO()
     table = csv.writer(out, lineterminator="\r\n")
     table.writerow(COLUMNS)
     for student in sorted(bodies):
         body = bodies[student]
+        if student in by_hand:
+            body = {"score": by_hand[student]["points"], "verdict": "override"}
         score = "" if body.get("score") is None else f"{body['score']:.6g}"
         table.writerow([cell(student), score, f"{most:.6g}", body["verdict"]])
     return out.getvalue().encode()
