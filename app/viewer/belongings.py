@@ -149,7 +149,7 @@ class Belongings:
         """The user's texts in the scene and in whatever evaluates its twins; while one is wrong, those before stay."""
         session, stage = self.app.session, self.app.scene.stage
         found, known = session.current, session.functions
-        texts = {name: text for name, text in session.visit.texts.items() if name in known}
+        texts = {name: text for name, text in session.texts.items() if name in known}
         if stage is None or self.tried == (found.id, texts):
             return
         self.tried, self.wrong = (found.id, texts), ""
