@@ -2,6 +2,8 @@
 
 import math
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Literal
@@ -151,24 +153,34 @@ def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, in
          ink: Ink | None = None, small: bool = False) -> Image.Image:
     """The scene with its labels, its legend and a notice of its faults; a small one has no words but the notice."""
     found = lean(found, decisions(found, values))
-    scene, ink = found.step.scene, ink or Ink(theme, size)
-    stage = Stage(context(), Source(scene, found.file_name, found.glsl_line), values.get("triangles"))
+    with staged(found, values) as stage:
+        camera = stage.scene.camera
+        camera = framed(stage, values, size, theme) if view in (None, View.of(camera)) else view.camera(camera)
+        return taken(stage, values, camera, size, theme, ink, small)
+
+
+@contextmanager
+def staged(found: LoadedStep, values: dict) -> Iterator[Stage]:
+    stage = Stage(context(), Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:
-        if view in (None, View.of(scene.camera)):
-            camera = framed(stage, values, size, theme)
-        else:
-            camera = view.camera(scene.camera)
-        stage.draw(values, camera, size, theme)
-        picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
-        said = [] if small else words(stage, values)
+        yield stage
     finally:
         stage.release()
-    taken = notice(picture, faults, ink)
-    ends = [(w.at[0] - ink.text, w.at[1] - ink.text, w.at[0] + ink.text, w.at[1] + ink.text) for w in said]
+
+
+def taken(stage: Stage, values: dict, camera: Camera, size: tuple[int, int], theme: Theme, ink: Ink | None = None,
+          small: bool = False) -> Image.Image:
+    """The picture a stage gives through a camera, with words."""
+    ink = ink or Ink(theme, size)
+    stage.draw(values, camera, size, theme)
+    picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
+    used = notice(picture, faults, ink)
     if not small:
+        said = words(stage, values)
+        ends = [(w.at[0] - ink.text, w.at[1] - ink.text, w.at[0] + ink.text, w.at[1] + ink.text) for w in said]
         clutter = Clutter(picture, ink.colour("background"))
-        taken += legend(picture, entries(scene), clutter, ink, taken + ends)
-        draw_words(picture, place(said, clutter, ink, size, taken), ink)
+        used += legend(picture, entries(stage.scene), clutter, ink, used + ends)
+        draw_words(picture, place(said, clutter, ink, size, used), ink)
     return picture
 
 
@@ -177,7 +189,7 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
     camera, zoom = stage.scene.camera, 1.0
     tangent = math.tan(math.radians(camera.field_of_view) / 2)
     for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, fine=False, counted=False)
         far = reach(stage, theme)
         wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
         if far >= CUT_OFF:
