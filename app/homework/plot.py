@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.grade.sweep import Sweep, axis
+from app.grade.sweep import Sweep
 
 RIGHT, YOURS, BOTH = "·", "×", "●"
 WIDTH, HEIGHT = 64, 11
