@@ -126,6 +126,21 @@ def test_a_stopped_run_keeps_what_is_done(tmp_path, assignment, handed_in):
     assert all((row[0] == "") == (row[2] == "ungraded") for row in marks.values())
 
 
+def test_marks_by_hand_stand_in_a_file_the_grader_never_writes(tmp_path, assignment, handed_in, capsys):
+    words = (assignment, handed_in / "ann", "-o", tmp_path / "r", "--seed", "s")
+    assert grade(*words) == 0
+    by_hand = tmp_path / "r" / "overrides.csv"
+    by_hand.write_text("student,points,reason\nann,3.5,talked about it\n")
+    assert grade(*words, "--resume") == 0
+    assert rows(tmp_path / "r") == {"ann": ["3.5", "4", "override"]}
+    result = json.loads((tmp_path / "r" / "students" / "ann" / "result.json").read_text())
+    assert result["score"] == 4 and result["overrides"] == [{"points": 3.5, "reason": "talked about it"}]
+    assert by_hand.read_text().endswith("talked about it\n")
+    by_hand.write_text("student,points,reason\nann,many,\n")
+    assert grade(*words, "--resume") == 1
+    assert "overrides.csv, line 2: ann,many, is no student" in capsys.readouterr().err
+
+
 def test_results_are_not_mixed(tmp_path, assignment, handed_in, capsys):
     (tmp_path / "r" / "store").mkdir(parents=True)
     assert grade(assignment, handed_in, "-o", tmp_path / "r") == 2

@@ -38,11 +38,15 @@ class Sweep:
     @property
     def ends(self) -> tuple[float, float, bool] | None:
         """The ends of the axis of values, and whether it is logarithmic; None where there is nothing to show."""
-        sound = self.expected[np.isfinite(self.expected)]
-        if not len(sound):
-            return None
-        log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
-        return *limits(sound, self.got[np.isfinite(self.got)], log), log
+        return ends(self.expected, self.got)
+
+
+def ends(right: np.ndarray, yours: np.ndarray) -> tuple[float, float, bool] | None:
+    sound = right[np.isfinite(right)]
+    if not len(sound):
+        return None
+    log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
+    return *limits(sound, yours[np.isfinite(yours)], log), log
 
 
 def limits(right: np.ndarray, yours: np.ndarray, log: bool) -> tuple[float, float]:

@@ -45,7 +45,7 @@ def draw(sweep: "Sweep", theme: Theme, width: float) -> None:
     for values, ink, thick in ((sweep.expected, "exact", wide), (sweep.got, "estimate", 1.6 * wide)):
         xs, ys = x(sweep.at), y(values)
         for piece in pieces(np.isfinite(values)):
-            points = [ImVec2(float(a), float(b)) for a, b in zip(xs[piece], ys[piece], strict=True)]
+            points: list = [ImVec2(float(a), float(b)) for a, b in zip(xs[piece], ys[piece], strict=True)]
             draw_list.add_polyline(points, style.u32(colour(ink, theme)), thick, 0)
     for name, height in zip(names, (top, bottom - line), strict=True):
         draw_list.add_text(ImVec2(left - 0.35 * em - imgui.calc_text_size(name).x, height), quiet, name)
