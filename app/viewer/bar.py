@@ -4,8 +4,8 @@ from imgui_bundle import imgui
 
 from app.viewer import controls, style
 
-BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"),
-           ("Keys", "?"))
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Exercise", "x"), ("Reset", "r"),
+           ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
 
 
 def draw(app) -> None:
@@ -29,9 +29,10 @@ def draw(app) -> None:
         controls.badge(app.message, style.ink("printed", app.theme))
         if imgui.is_item_clicked():
             app.message = ""
+    buttons = [one for one in BUTTONS if one[1] != "x" or app.exercise.own]
     padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
-    imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in BUTTONS) - 8)
-    for label, key in BUTTONS:
+    imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8)
+    for label, key in buttons:
         if imgui.button(label):
             app.do(key)
         imgui.same_line()

@@ -3,8 +3,8 @@
 from imgui_bundle import ImVec2, imgui
 
 from app.search import search
-from app.theme import colour, rgb
-from app.viewer import style
+from app.theme import Theme, colour, rgb
+from app.viewer import marks, style
 from app.viewer.text_panel import heading
 
 KEYS = (
@@ -106,18 +106,25 @@ def entries(app) -> None:
         if imgui.selectable(f"    {entry.title}##{entry.id}", entry.current)[0]:
             app.go(entry.id)
             app.show_outline = False
-        if mark or entry.beyond or entry.exercises:
-            imgui.same_line(imgui.get_content_region_avail().x - 16 * imgui.get_font_size())
-            words = exercise_words(app, entry.exercises)
-            imgui.text_disabled(", ".join(filter(None, (mark, "beyond the deck" if entry.beyond else "", words))))
+        words = [mark] if mark else []
+        words += ["beyond the deck"] if entry.beyond else []
+        words += ["exercise" if len(entry.exercises) == 1 else f"{len(entry.exercises)} exercises"] if entry.exercises else []
+        if words:
+            imgui.same_line(imgui.get_content_region_avail().x - 17 * imgui.get_font_size())
+            imgui.text_disabled(", ".join(words))
+            ticks(sum(map(app.exercise.practice.solved, entry.exercises)), app.theme)
 
 
-def exercise_words(app, names: tuple[str, ...]) -> str:
-    """Which of a step's exercises are solved."""
-    solved = sum(map(app.exercise.practice.solved, names))
-    if not names or len(names) == 1:
-        return f"exercise{' solved' if solved else ''}" if names else ""
-    return f"{len(names)} exercises" + (f", {solved if solved < len(names) else 'all'} solved" if solved else "")
+def ticks(count: int, theme: Theme) -> None:
+    """A small mark for each solved exercise."""
+    size = imgui.get_font_size()
+    for _ in range(count):
+        imgui.same_line(0, 0.35 * size)
+        at = imgui.get_cursor_screen_pos()
+        imgui.dummy(ImVec2(size, size))
+        marks.mark(at.x + 0.5 * size, at.y + 0.5 * size, True, theme)
+        if imgui.is_item_hovered():
+            imgui.set_tooltip("solved")
 
 
 def hits(app) -> None:
