@@ -120,7 +120,8 @@ def test_a_display_is_one_that_opens(display):
     """In a process of its own: a window test may have started GLFW here. This GLFW speaks X11, no Wayland."""
     env = {**os.environ, "WAYLAND_DISPLAY": "wayland-0", "DISPLAY": display}
     code = "from app.display import has_display; raise SystemExit(int(has_display()))"
-    assert subprocess.run([sys.executable, "-c", code], env=env, cwd=ROOT, check=False).returncode == 0, "no server answers"
+    ended = subprocess.run([sys.executable, "-c", code], env=env, cwd=ROOT, check=False)
+    assert ended.returncode == 0, "no server answers"
 
 
 def test_render_hands_its_options_over(capsys, job):
