@@ -6,7 +6,6 @@ What a constant or an echoed argument gets right, and every property, pays only 
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from datetime import datetime
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from app.grade.result import Result, Suspect, Test, Worst, number
 
 
 def judge(assignment: Assignment, questions: Sequence[Question], replies: Sequence[Reply],
-          times: Mapping[str, float] | None = None, handed_in: datetime | None = None) -> Result:
+          times: Mapping[str, float] | None = None) -> Result:
     """The tests and marks of one submission.
 
     replies: in any order; a question without one is ungraded. times: the processor seconds of the solution at the same
@@ -41,12 +40,11 @@ def judge(assignment: Assignment, questions: Sequence[Question], replies: Sequen
                 best = next((way for way in ways if any(test.verdict == "ungraded" for test in way[0])), best)
             tests += best[0]
             suspects += best[1]
-    share = assignment.share_when(handed_in)
     visible = [test for test in tests if test.visibility == "visible"]
     score, most = total(tests)
     seen, seen_most = total(visible)
-    return Result(assignment.id, assignment.digest, number(score * share), most, number(seen * share), seen_most,
-                  overall(tests), share, tuple(tests), tuple(suspects))
+    return Result(assignment.id, assignment.digest, score, most, seen, seen_most, overall(tests), tuple(tests),
+                  tuple(suspects))
 
 
 def held_to_drawn(task: Task, tests: list[Test]) -> list[Test]:
