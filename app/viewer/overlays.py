@@ -140,14 +140,14 @@ def hits(app) -> None:
         imgui.pop_text_wrap_pos()
 
 
-def help_keys(app, size: ImVec2) -> None:
+def help_keys(app, size: ImVec2, keys: tuple[tuple[str, str], ...] = KEYS) -> None:
     centred("Keys", size, 44, 22)
     shown, app.show_help = imgui.begin(
         "Keys", True, OVERLAY
     )
     if shown and imgui.begin_table("keys", 2):
         imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())
-        for key, meaning in KEYS:
+        for key, meaning in keys:
             imgui.table_next_row()
             imgui.table_next_column()
             imgui.text(key)
@@ -161,4 +161,5 @@ def centred(name: str, size: ImVec2, wide: float, high: float) -> None:
     unit = imgui.get_font_size()
     x, y = min(wide * unit, 0.94 * size.x), min(high * unit, 0.9 * size.y)
     imgui.set_next_window_size(ImVec2(x, y), imgui.Cond_.appearing)
-    imgui.set_next_window_pos(ImVec2((size.x - x) / 2, (size.y - y) / 2), imgui.Cond_.appearing)
+    at = imgui.get_main_viewport().pos
+    imgui.set_next_window_pos(ImVec2(at.x + (size.x - x) / 2, at.y + (size.y - y) / 2), imgui.Cond_.appearing)
