@@ -21,7 +21,8 @@ HEAVY = ("numpy", "moderngl", "imgui_bundle", "pyvista", "vtk", "vtkmodules", "t
          "pint", "scipy", "platformdirs", "filelock", "markdown_it")
 # One package, the places that may import it. An exception has its reason on its line, for the linter and for this test
 PLACES = {"moderngl": ("gpu/", "viewer/"), "imgui_bundle": ("viewer/",), "pyvista": ("plots/",), "vtk": ("plots/",),
-          "vtkmodules": ("plots/",), "trimesh": ("meshes.py",), "pyrender": ("reference.py",), "pint": ("ledger.py",),
+          "vtkmodules": ("plots/",), "trimesh": ("meshes.py",), "matplotlib": ("plots/vector.py",),
+          "pyrender": ("reference.py",), "pint": ("ledger.py",),
           "scipy": ("study/",), "distributed": ("grade/executor.py",)}
 EXCEPTION = re.compile(r"^\s*(?:import|from)\s+(\w+).*# noqa: TID251 - \w+", re.M)
 LONGEST = {".py": 400, ".glsl": 320, ".vert": 80, ".frag": 80}  # lines; twins carry their formulas in docstrings

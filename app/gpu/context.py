@@ -168,6 +168,10 @@ def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.As
         try:
             programs[key] = ctx.program(vertex_shader=vertex.text, varyings=varyings,
                                          fragment_shader=fragment.text if fragment else None)
+        except KeyError:  # moderngl has includes of its own, and sees them in remarks too
+            lines = (line for part in (vertex, fragment) if part for line in part.lines if "#include" in line.text)
+            at = next(lines)
+            raise Problem(f"{at.file}, line {at.number}: an #include stands on a line of its own.") from None
         except moderngl.Error as error:
             raise Problem(compiler_message(str(error), vertex, fragment)) from None
     return programs[key]

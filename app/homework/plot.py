@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.grade.sweep import Sweep, axis
+from app.grade.sweep import Sweep
 
 RIGHT, YOURS, BOTH = "·", "×", "●"
 WIDTH, HEIGHT = 64, 11
@@ -10,13 +10,12 @@ WIDTH, HEIGHT = 64, 11
 
 def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
     """Lines of text: the plot, its axes' ends and a legend. Values that are no numbers leave a gap, and are counted."""
-    right, yours = sweep.expected, sweep.got
-    if not np.any(np.isfinite(right)):
+    if sweep.ends is None:
         return []
-    low, high, log = axis(right, yours)
+    low, high, log = sweep.ends
     rows = [[" "] * width for _ in range(height)]
     outside = 0
-    for values, glyph in ((right, RIGHT), (yours, YOURS)):
+    for values, glyph in ((sweep.expected, RIGHT), (sweep.got, YOURS)):
         for i, value in enumerate(values):
             column = round(i * (width - 1) / (len(values) - 1))
             if not np.isfinite(value) or (log and value <= 0):

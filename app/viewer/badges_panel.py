@@ -14,6 +14,7 @@ from app.lesson import Model
 from app.terms import is_yours
 from app.theme import colour
 from app.viewer import glfw, style
+from app.viewer.marks import mark
 
 SMALL = 0.9  # of the text on a projector, where the column is narrow for it
 KEPT = 64  # results, so that a slider's way back costs nothing
@@ -86,29 +87,17 @@ class BadgesPanel:
                 imgui.set_tooltip(told(name, badge) + ("\nClick to go there." if goes else ""))
 
     def badge(self, id: str, badge: Badge | None, faded: bool) -> None:
-        """A round one with a tick, a square one with a cross, or an empty ring; never by colour alone."""
-        size, theme, draw = imgui.get_font_size(), self.app.theme, imgui.get_window_draw_list()
-        at, r = imgui.get_cursor_screen_pos(), 0.46 * size
+        """Its mark, that can be clicked."""
+        size, at = imgui.get_font_size(), imgui.get_cursor_screen_pos()
         if imgui.invisible_button(id, ImVec2(1.05 * size, 1.05 * size)) and badge is not None and badge.at:
             self.app.stand(badge.at)
         x, y = at.x + 0.5 * size, at.y + 0.5 * size
-        shade, wide = 0.45 if faded else 1.0, 0.12 * size
+        mark(x, y, None if badge is None else badge.ok, self.app.theme, 0.45 if faded and badge else 1.0)
         if badge is None:
-            draw.add_circle(ImVec2(x, y), 0.8 * r, style.u32(colour("quiet", theme), shade), 0, 0.6 * wide)
             return
-        ground = style.u32(colour("v" if badge.ok else "r", theme), shade)
-        ink = style.u32((1.0, 1.0, 1.0), shade)
-        if badge.ok:
-            draw.add_circle_filled(ImVec2(x, y), r, ground)
-            strokes = ((-0.45, 0.02, -0.1, 0.4), (-0.16, 0.4, 0.5, -0.4))
-        else:
-            side = 0.92 * r
-            draw.add_rect_filled(ImVec2(x - side, y - side), ImVec2(x + side, y + side), ground, 0.2 * r)
-            strokes = ((-0.42, -0.42, 0.42, 0.42), (-0.42, 0.42, 0.42, -0.42))
-        for x0, y0, x1, y1 in strokes:
-            draw.add_line(ImVec2(x + x0 * r, y + y0 * r), ImVec2(x + x1 * r, y + y1 * r), ink, wide)
         if imgui.is_item_hovered() or imgui.is_item_focused():
-            draw.add_circle(ImVec2(x, y), 1.35 * r, style.u32(colour("foreground", theme)), 0, 0.5 * wide)
+            ring = style.u32(colour("foreground", self.app.theme))
+            imgui.get_window_draw_list().add_circle(ImVec2(x, y), 0.62 * size, ring, 0, 0.06 * size)
 
     def ask(self, models: tuple[Model, ...], values: dict) -> None:
         """One job at a time, for the first model whose badges are not known. Models of the board are dear, and wait

@@ -18,6 +18,7 @@ KEYS = (
     ("F", "freeze the picture for a guess"),
     ("B", "break it: naive forms where they fail; again: put right"),
     ("E", "edit the GLSL of this step; Ctrl+R: the course's text, Esc: close"),
+    ("X", "the exercise beside its scene; Ctrl+R: start again, Esc: close"),
     ("P", "the next plot of a step that has several"),
     ("Tab, arrows, Space", "from control to control, change, press"),
     ("Shift and arrows, + or -", "turn the picture, zoom"),
@@ -105,9 +106,18 @@ def entries(app) -> None:
         if imgui.selectable(f"    {entry.title}##{entry.id}", entry.current)[0]:
             app.go(entry.id)
             app.show_outline = False
-        if mark or entry.beyond:
-            imgui.same_line(imgui.get_content_region_avail().x - 11 * imgui.get_font_size())
-            imgui.text_disabled(", ".join(filter(None, (mark, "beyond the deck" if entry.beyond else ""))))
+        if mark or entry.beyond or entry.exercises:
+            imgui.same_line(imgui.get_content_region_avail().x - 16 * imgui.get_font_size())
+            words = exercise_words(app, entry.exercises)
+            imgui.text_disabled(", ".join(filter(None, (mark, "beyond the deck" if entry.beyond else "", words))))
+
+
+def exercise_words(app, names: tuple[str, ...]) -> str:
+    """Which of a step's exercises are solved."""
+    solved = sum(map(app.exercise.practice.solved, names))
+    if not names or len(names) == 1:
+        return f"exercise{' solved' if solved else ''}" if names else ""
+    return f"{len(names)} exercises" + (f", {solved if solved < len(names) else 'all'} solved" if solved else "")
 
 
 def hits(app) -> None:

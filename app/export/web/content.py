@@ -105,6 +105,11 @@ def constants(found: LoadedStep) -> Data:
         carried["meshes"] = [mesh(meshes.built_in(name).triangles, "corner_normal(" in one.glsl)
                              for name in one.meshes]
     for table in one.tables:
+        if table.map:  # a student's own picture, which a page has none of
+            none = np.asarray(tables.texels(table.map, None))
+            carried["tables"].append({"uniform": table.uniform, "choice": "", "files": [
+                {"rows": none.shape[0], "columns": none.shape[1], "picture": packed(none.astype("u1"))}]})
+            continue
         files = [np.ascontiguousarray(tables.built_in(name).table, "f4") for name in table.files]
         carried["tables"].append({"uniform": table.uniform, "choice": table.choice, "files": [
             {"rows": t.shape[0], "columns": t.shape[1], "numbers": packed(t)} for t in files]})

@@ -6,7 +6,7 @@ from itertools import groupby
 import numpy as np
 
 from app.grade.report.words import numbers
-from app.grade.sweep import axis
+from app.grade.sweep import ends
 
 WIDTH, HEIGHT = 560.0, 220.0  # of the part where values are
 EDGE = 10.0  # of it above the highest and below the lowest
@@ -16,9 +16,10 @@ LEFT, TOP, BOTTOM, RIGHT = 92.0, 8.0, 50.0, 8.0
 def svg(curve: dict) -> str:
     """'' where nothing can be drawn."""
     at, expected, got = (np.asarray(curve[name], float) for name in ("at", "expected", "got"))
-    if not np.any(np.isfinite(expected)):
+    axis = ends(expected, got)
+    if axis is None:
         return ""
-    low, high, log = axis(expected, got)
+    low, high, log = axis
     x = scaled(at, at[0], at[-1], curve["log"]) * WIDTH
     here = float(scaled(np.array([float(curve["here"])]), at[0], at[-1], curve["log"])[0] * WIDTH)
     worst = f'<path class="here" d="M{here:.1f} 0V{HEIGHT:g}"/>' if np.isfinite(here) else ""
@@ -28,7 +29,7 @@ def svg(curve: dict) -> str:
         lines += f'<path class="{name}" d="{path(x, y)}"/>'
         level = float(np.interp(here, x, y))
         dots += f'<circle class="{name}" cx="{here:.1f}" cy="{level:.1f}" r="5"/>' if np.isfinite(level) else ""
-    ends = "".join(text(-10, y + 5, "end", numbers(value, 3)) for y, value in ((EDGE, high), (HEIGHT - EDGE, low)))
+    marks = "".join(text(-10, y + 5, "end", numbers(value, 3)) for y, value in ((EDGE, high), (HEIGHT - EDGE, low)))
     below = text(0, HEIGHT + 22, "start", numbers(float(at[0]), 3)) + text(
         WIDTH, HEIGHT + 22, "end", numbers(float(at[-1]), 3)) + text(
         WIDTH / 2, HEIGHT + 42, "middle", curve["label"] + (" (log)" if curve["log"] else ""), "title")
@@ -37,7 +38,7 @@ def svg(curve: dict) -> str:
                   f"{numbers(float(at[-1]), 3)}")
     return (f'<svg class="curve" viewBox="{box}" role="img" aria-label="{said}">'
             f'<rect class="box" width="{WIDTH:g}" height="{HEIGHT:g}"/>'
-            f'{worst}<svg width="{WIDTH:g}" height="{HEIGHT:g}">{lines}{dots}</svg>{ends}{below}</svg>')
+            f'{worst}<svg width="{WIDTH:g}" height="{HEIGHT:g}">{lines}{dots}</svg>{marks}{below}</svg>')
 
 
 def scaled(values: np.ndarray, low: float, high: float, log: bool) -> np.ndarray:
