@@ -83,17 +83,18 @@ class ExercisePanel:
 
     def place(self) -> None:
         """What is typed stands in the scene, while it is open and the scene is made of it."""
-        session = self.app.session
+        session, name = self.app.session, self.name
         texts = {}
         if self.is_shown and self.language == "glsl":
-            exercise = self.known[self.name]
-            texts = {exercise.function: self.practice.text(self.name, exercise, "glsl")}
+            exercise = self.known[name]
+            texts = {exercise.function: self.practice.text(name, exercise, "glsl")}
         session.try_out(texts)
 
     def typed(self, text: str) -> None:
         """It is drawn at once, checked and kept when the hand rests."""
         name, language = self.of
         self.practice.type(name, self.known[name], language, text)
+        self.handed = "", ""
         self.typed_at = time.monotonic()
 
     def rest(self) -> None:

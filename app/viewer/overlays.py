@@ -106,12 +106,12 @@ def entries(app) -> None:
         if imgui.selectable(f"    {entry.title}##{entry.id}", entry.current)[0]:
             app.go(entry.id)
             app.show_outline = False
-        words = [mark] if mark else []
-        words += ["beyond the deck"] if entry.beyond else []
-        words += ["exercise" if len(entry.exercises) == 1 else f"{len(entry.exercises)} exercises"] if entry.exercises else []
-        if words:
-            imgui.same_line(imgui.get_content_region_avail().x - 17 * imgui.get_font_size())
-            imgui.text_disabled(", ".join(words))
+        count = len(entry.exercises)
+        words = [mark, "beyond the deck" if entry.beyond else "",
+                 "" if not count else "exercise" if count == 1 else f"{count} exercises"]
+        if any(words):
+            imgui.same_line(imgui.get_content_region_avail().x - 19 * imgui.get_font_size())
+            imgui.text_disabled(", ".join(filter(None, words)))
             ticks(sum(map(app.exercise.practice.solved, entry.exercises)), app.theme)
 
 
