@@ -93,8 +93,8 @@ def main(order: dict) -> None:
         left = int(numpy.count_nonzero(values.view("<u4") == sentinel))
         cut = int(numpy.count_nonzero(steps != FEW))
         if cut:
-            pipe.refuse(index, "wrong", f"at {cut} of {count} points its loops were cut off: all loops of one call have "
-                        "65 535 steps together here, and one that never ends has no more")
+            pipe.refuse(index, "wrong", f"at {cut} of {count} points its loops were cut off: all loops of one call "
+                        "have 65 535 steps together here, and one that never ends has no more")
         elif left:
             pipe.refuse(index, "unwritten", f"{left} of {count * width} numbers were never written")
         else:
