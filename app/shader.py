@@ -151,8 +151,9 @@ def lines_of(source: Source) -> tuple[Line | Include, ...]:
 def blocks_of(source: Source) -> tuple[Block | Include, ...]:
     """Includes stand between declarations."""
     found: list[Block | Include] = []
-    for included, run in groupby(lines_of(source), lambda part: isinstance(part, Include)):
-        found += run if included else blocks(list(run))  # type: ignore[arg-type]
+    for included, group in groupby(lines_of(source), lambda part: isinstance(part, Include)):
+        run = list(group)
+        found += run if included else blocks(run)  # type: ignore[arg-type]
     return tuple(found)
 
 
