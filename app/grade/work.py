@@ -16,6 +16,7 @@ import numpy as np
 from app import VERSION
 from app.grade import assignment as assignments
 from app.grade import intake, level, live, questions, sweep, texts
+from app.grade.discretion import answered
 from app.grade.judge import judge
 from app.grade.question import FILES, Language, Question
 from app.grade.result import Result, line, plain
@@ -92,7 +93,7 @@ def grade(job: dict) -> dict:
         found, all_of = asked(job["assignment"], job["digest"], job["seed"])
         limits = Limits(cpu=max(1, round(found.seconds)))
         solution = times(job["assignment"], job["digest"], job["seed"], job["level"])
-        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]), solution)
+        result = judge(found, all_of, answered(submission, all_of, limits, job["level"]), solution)
         shown = live.with_plots(live.by_function(found, result), submission, limits, job["level"])
         body = as_json(result) | {"curves": [curve(one.task.function, one.plot) for one in shown if one.plot]}
     except Exception as error:  # ours, whatever it is: the student loses nothing by it
