@@ -6,9 +6,12 @@ message back to what a person wrote.
 """
 
 import re
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
+from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from app.paths import GLSL
 from app.problem import Problem, near
@@ -41,6 +44,12 @@ class Source:
     text: str
     file: str
     first: int = 1
+
+
+@dataclass(frozen=True)
+class Include:
+    name: str
+    number: int  # its line
 
 
 Overrides = tuple[tuple[str, Source], ...]  # (what #include names, what is read in its place), in order of names
@@ -93,32 +102,59 @@ def read(name: str) -> str:
 
 def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Line]:
     """The lines of a text with its includes put in, depth first, each file once."""
+    return list(walk(lines_of, Source(text, file, first), overrides or {}))
+
+
+def declarations(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Block]:
+    """The same as top-level declarations; a file's own are cut once, however many programs include it."""
+    return list(walk(blocks_of, Source(text, file, first), overrides or {}))
+
+
+def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides: dict[str, Source]) -> Iterator[Any]:
     done: set[str] = set()
 
-    def walk(text: str, file: str, first: int, path: tuple[str, ...]) -> list[Line]:
-        lines: list[Line] = []
-        written = text.split("\n")
-        for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), first):
-            match = INCLUDE.match(code)
-            if not match:
-                if code.lstrip().startswith("#include"):
-                    raise Problem(f'{file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
-                lines.append(Line(line, file, number))
+    def inside(source: Source, path: tuple[str, ...]) -> Iterator[Any]:
+        for part in read_in(source):
+            if not isinstance(part, Include):
+                yield part
                 continue
-            name = match[1]
+            name, where = part.name, f"{source.file}, line {part.number}"
             if name in path:
-                raise Problem(f"{file}, line {number}: a circle of includes: {' -> '.join((*path, name))}.")
+                raise Problem(f"{where}: a circle of includes: {' -> '.join((*path, name))}.")
             if name in done:
                 continue
             try:
-                inner = (overrides or {}).get(name) or Source(read(name), f"glsl/{name}")
+                inner = overrides.get(name) or Source(read(name), f"glsl/{name}")
             except Problem as problem:
-                raise Problem(f"{file}, line {number}: {problem}") from None
-            lines += walk(inner.text, inner.file, inner.first, (*path, name))
+                raise Problem(f"{where}: {problem}") from None
+            yield from inside(inner, (*path, name))
             done.add(name)
-        return lines
 
-    return walk(text, file, first, ())
+    return inside(source, ())
+
+
+@lru_cache(512)
+def lines_of(source: Source) -> tuple[Line | Include, ...]:
+    found: list[Line | Include] = []
+    written = source.text.split("\n")
+    for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), source.first):
+        if match := INCLUDE.match(code):
+            found.append(Include(match[1], number))
+        elif code.lstrip().startswith("#include"):
+            raise Problem(f'{source.file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
+        else:
+            found.append(Line(line, source.file, number))
+    return tuple(found)
+
+
+@lru_cache(512)
+def blocks_of(source: Source) -> tuple[Block | Include, ...]:
+    """Includes stand between declarations."""
+    found: list[Block | Include] = []
+    for included, group in groupby(lines_of(source), lambda part: isinstance(part, Include)):
+        run = list(group)
+        found += run if included else blocks(run)  # type: ignore[arg-type]
+    return tuple(found)
 
 
 def blocks(lines: list[Line]) -> list[Block]:
@@ -127,8 +163,6 @@ def blocks(lines: list[Line]) -> list[Block]:
     open_lines: list[Line] = []
     depth, brace = 0, None
     for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
-        if open_lines and line.file != open_lines[-1].file and not has_code(open_lines):
-            open_lines = []  # remarks at the end of a file belong to nothing in the next
         open_lines.append(line)
         if depth == 0 and "{" in code:
             brace = line
@@ -186,10 +220,10 @@ def declared(code: str) -> frozenset[str]:
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
              entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
     """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
-    parts = blocks(resolve(text, file, first, overrides))
+    found = declarations(text, file, first, overrides)
     wanted, queue = {*entry, ALWAYS}, [*entry, ALWAYS]
     by_name: dict[str, list[Block]] = {}
-    for part in parts:
+    for part in found:
         for name in part.names:
             by_name.setdefault(name, []).append(part)
     while queue:
@@ -197,12 +231,12 @@ def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = 
             for word in part.words - wanted:
                 wanted.add(word)
                 queue.append(word)
-    kept = [part for part in parts if part.names & wanted]
+    kept = [part for part in found if part.names & wanted]
     lines = tuple(line for part in kept for line in part.lines)
     used = {line.file for line in lines}
-    named = {line.file for part in parts for line in part.lines}
+    named = {line.file for part in found for line in part.lines}
     names = [next(iter(p.names)) for p in kept if p.is_function]
-    out = [next(iter(p.names)) for p in parts if p.is_function and not p.names & wanted and p.lines[-1].file != file]
+    out = [next(iter(p.names)) for p in found if p.is_function and not p.names & wanted and p.lines[-1].file != file]
     return Assembled("\n".join((*header, *(line.text for line in lines))) + "\n", lines, len(header),
                      tuple(sorted(used - {file})), tuple(sorted(named - used - {file})),
                      tuple(dict.fromkeys(names)), tuple(dict.fromkeys(out)))

@@ -144,8 +144,7 @@ intensity. The units already differ. End with the lamp in the floor: the excepti
     sources=("Deck, slides Light Sources and Punctual Lights", "optics reference 2.3: sphere; D5: a point has no radiance"),
     honesty="Exact, for a Lambert sphere. The lamp's own colour only hints at its radiance. No shadows: local shading.",
     values=(Value("radius", 0.25, low=0.005, high=0.6), Value("radiant_flux", 150.0),
-            Value("light_height", 0.8, low=0.1, high=2.0)),
-    minutes=4,
+            Value("light_height", 0.8, low=0.1, high=2.0)), minutes=4,
 )
 
 POSITIONAL = Step(
@@ -269,8 +268,7 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
     values=(Value("distance", 1.5, low=0.02, high=4.0), Value("theta", 40.0, low=0.0, high=150.0),
             Value("phi", 20.0, more=True), Value("radiant_intensity", 60.0), Value("source_radius", 0.06, low=0.01, high=0.5),
-            Value("reach", 6.0, low=0.5, high=10.0, more=True)),
-    minutes=5,
+            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5,
 )
 
 DIRECTIONAL = Step(
@@ -375,8 +373,7 @@ intensity: that would be infinite. It has what a facing surface gets. 4 minutes.
 """,
     sources=("Deck, slide Punctual Lights - Directional", "Deck, slide Punctual Lights (distant compared to world scale)"),
     honesty="Exact. From 1.2 m on the lamp is drawn nearer than it is, so that it stays in the picture; its rays are true.",
-    values=(Value("distance", 1.1, low=0.5, high=100.0), Value("offset", 1.8, low=0.1, high=2.0)),
-    minutes=4,
+    values=(Value("distance", 1.1, low=0.5, high=100.0), Value("offset", 1.8, low=0.1, high=2.0)), minutes=4,
 )
 
 DISTRIBUTION = Step(
@@ -658,8 +655,7 @@ street light keeps only the planes from 90° to 270°: the rest is their mirror 
         Value("aim", 0.0, low=0.0, high=90.0, more=True),
         Value("meter_x", 0.9, low=-2.6, high=2.6, more=True),
         Value("meter_s", -1.7, low=-3.2, high=3.0, more=True),
-    ),
-    minutes=6,
+    ), minutes=6,
 )
 
 IES_RING_STUB = '''import numpy as np
@@ -858,8 +854,7 @@ where the rest went. 6 minutes.
             Value("edge", 0, choices=("linear", "smooth", "printed", "IES")),
             Value("reading", 0, choices=("meant", "full", "sign")),
             Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
-            Value("radiant_intensity", 100.0, more=True)),
-    minutes=6,
+            Value("radiant_intensity", 100.0, more=True)), minutes=6,
 )
 
 LIGHT_GLSL = """
@@ -1033,9 +1028,7 @@ directions. 4 minutes.
             Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
-    minutes=4,
-    breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5},
-                  "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
+    minutes=4, breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5}, "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
 )
 
 AREA_SAMPLED = Step(

@@ -1,20 +1,19 @@
 """The GLSL a student reads on the desktop is the GLSL a browser runs: every text under the header of the web."""
 
 import os
-import shutil
 from functools import cache
 
 import moderngl
 import pytest
 
 from app import catalog, shader
+from app.everything import shading
 from app.gpu.evaluate import point_program
 from app.gpu.stage_text import PARTS, needed, programs
 from app.paths import GLSL
 from lessons.cover import COVER
+from tests.browser import CHROMIUM, chromium
 
-FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 EMPTY = shader.WEB[0] + "\nprecision highp float;\nvoid main() {}\n"
 LINK = """
 texts => {
@@ -52,10 +51,14 @@ def texts() -> dict[str, tuple[shader.Assembled, shader.Assembled | None]]:
     for name, (include, signature) in shader.catalogue().items():
         source = point_program(signature, include, None)[0]
         found[f"{include}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
-    lobe = "display/lobe.glsl"  # for scenes with a lobe
-    for name, signature in shader.signatures(shader.read(lobe)).items():
-        source = point_program(signature, lobe, None)[0]
-        found[f"{lobe}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
+    for name, pair in programs(catalog.step("board/cook_torrance").step.scene, header=shader.WEB).items():
+        found[f"a board: {name}"] = pair
+    for file in ("display/lobe.glsl", "display/merl.glsl"):  # for scenes with lobes, and measured matter
+        for name, signature in shader.signatures(shader.read(file)).items():
+            source = point_program(signature, file, None)[0]
+            found[f"{file}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
+    cone = programs(catalog.step("solid_angle/cone").step.scene, header=shader.WEB)["surface"][0]
+    found["everything on"] = cone, shading(shader.WEB)
     return found
 
 
@@ -79,14 +82,8 @@ def test_mesa_compiles_it_as_es(name, ctx):
 
 
 def in_browser(pairs: list[tuple[str, str, str]]) -> list[str]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        try:
-            return browser.new_page().evaluate(LINK, pairs)
-        finally:
-            browser.close()
+    with chromium() as browser:
+        return browser.new_page().evaluate(LINK, pairs)
 
 
 @pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium, which only CI installs")

@@ -6,8 +6,8 @@ from imgui_bundle import imgui
 
 from app.viewer import controls, style
 
-BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"),
-           ("Keys", "?"))
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Exercise", "x"), ("Reset", "r"),
+           ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
 
 
 def draw(app) -> None:
@@ -26,8 +26,9 @@ def draw(app) -> None:
     of_course = bool(step.chapter.steps)
     imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
                         if of_course else step.chapter.title.lower())
+    buttons = [one for one in BUTTONS if one[1] != "x" or app.exercise.own]
     padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
-    right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in BUTTONS) - 8
+    right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8
     if app.message:
         imgui.same_line()
         shown = cut(app.message, right - imgui.get_cursor_pos_x() - padding, lambda text: imgui.calc_text_size(text).x)
@@ -37,7 +38,7 @@ def draw(app) -> None:
         elif shown != app.message and imgui.is_item_hovered():
             whole(app.message)
     imgui.same_line(right)
-    for label, key in BUTTONS:
+    for label, key in buttons:
         if imgui.button(label):
             app.do(key)
         imgui.same_line()

@@ -15,6 +15,7 @@ from app.gpu.stage_text import Source
 from app.ies import Photometry, read
 from app.lesson import Scene
 from app.meshes import Mesh, built_in, load
+from app.picture_state import state_in
 from app.problem import Problem
 
 
@@ -44,11 +45,14 @@ class Belongings:
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
-        """A file that was dropped or named: a luminaire, a reflectance model or a map by its ending, else a mesh."""
+        """A file that was dropped or named, by its ending: a picture of ours brings its state back; a luminaire, a
+        reflectance model, a map, else a mesh."""
         app = self.app
         try:
             kind = Path(path).suffix.lower()
-            if kind in FILES:
+            if kind == ".png" and (state := state_in(path)):
+                app.session.go(state)
+            elif kind in FILES:
                 self.take_model(path)
             elif kind == ".ies":
                 self.take_ies(path)
@@ -154,7 +158,7 @@ class Belongings:
         """The user's texts in the scene and in whatever evaluates its twins; while one is wrong, those before stay."""
         session, stage = self.app.session, self.app.scene.stage
         found, known = session.current, session.functions
-        texts = {name: text for name, text in session.visit.texts.items() if name in known}
+        texts = {name: text for name, text in session.texts.items() if name in known}
         if stage is None or self.tried == (found.id, texts):
             return
         self.tried, self.wrong = (found.id, texts), ""

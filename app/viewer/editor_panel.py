@@ -28,12 +28,14 @@ class EditorPanel:
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def toggle(self) -> None:
         self.is_open = not self.is_open
+        self.app.exercise.is_open = False
 
     def open(self, function: str) -> None:
         """The editor at a function; one that this step does not compile is a Problem."""
         self.app.session.function(function)
         self.chosen[self.app.session.current.id] = function
         self.is_open = True
+        self.app.exercise.is_open = False
 
     @property
     def function(self) -> str:
