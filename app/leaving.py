@@ -27,7 +27,8 @@ class Decision:
     @property
     def words(self) -> str:
         """One line: what is out or in, and why."""
-        cost = f"at most {share(self.error)} off" if self.error > EXACT else "exact to rounding"
+        part = " ".join(filter(None, (share(self.error), self.of.of)))
+        cost = f"at most {part} off" if self.error > EXACT else "exact to rounding"
         limit = share(self.of.limit)
         if self.is_out:
             why = f", above the {limit} it accepts" * (self.error > self.of.limit) if self.by_hand else ""

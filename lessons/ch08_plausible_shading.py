@@ -173,7 +173,7 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
     values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
     leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
-                         without={"f_material": "f_material_schlick"}),),
+                         without={"f_material": "f_material_schlick"}, of="of the light"),),
     minutes=6,
 )
 
@@ -1123,8 +1123,8 @@ vec3 lamp() { return vec3(-0.12, -0.8, distance); }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vase_point(AXIS, s);
-    if (surface == 1) return vec3(3.9 * s.x - 2.0, 2.3 * s.y - 1.25, 0.0);
-    if (surface == 4) return vec3(3.9 * s.x - 2.0, 1.05, 2.7 * s.y);
+    if (surface == 1) return vec3(4.4 * s.x - 2.1, 2.3 * s.y - 1.25, 0.0);
+    if (surface == 4) return vec3(4.4 * s.x - 2.1, 1.05, 2.7 * s.y);
     float a = PI * s.y, turn = 2.0 * PI * s.x;
     return lamp() + 0.09 * vec3(sin(a) * vec2(cos(turn), sin(turn)), cos(a));
 }

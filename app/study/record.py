@@ -98,6 +98,15 @@ class Record:
         there = [(line, point) for line in self.lines if not line.reference and (point := line.reach(tolerance))]
         return min(there, key=lambda found: found[1].time, default=None)
 
+    def beside(self, tolerance: float) -> list[Line]:
+        """The methods that may be as fast: their quartiles overlap with the winner's."""
+        winner = self.winner(tolerance)
+        if winner is None:
+            return []
+        first, at = winner
+        return [line for line in self.lines if line is not first and not line.reference
+                and (point := line.reach(tolerance)) and point.spread[0] <= at.spread[1]]
+
     @property
     def name(self) -> str:
         return ", ".join(filter(None, (self.step, self.case, "" if self.where == "CPU" else self.where)))
