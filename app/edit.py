@@ -133,6 +133,9 @@ def check(text: str, function: Function) -> None:
     if len(text) > LONGEST:
         raise Problem(f"{where}, line 1: {len(text)} characters; {LONGEST} is the most.")
     lines = [shader.Line(line, where, i) for i, line in enumerate(text.split("\n"), 1)]
+    for line, code in zip(lines, shader.strip_comments(text.split("\n")), strict=True):
+        if "/*" in code:
+            raise Problem(f"{where}, line {line.number}: a remark that is never closed.")
     parts = shader.blocks(lines)
     for part in parts:
         if part.words >= {"uniform"}:

@@ -183,6 +183,7 @@ class Curves(Worded):
     y_scale: Literal["linear", "log"] = "linear"
     x_scale: Literal["linear", "log", ""] = ""  # "": as in quantities
     error: bool = False
+    most: float = 0.0  # where a linear axis ends at the latest, above 0: what goes beyond it is cut there, and named
     tab: str = ""  # a word for its tab
 
 

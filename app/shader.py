@@ -6,8 +6,10 @@ message back to what a person wrote.
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
+from itertools import groupby
 from pathlib import Path
 
 from app.paths import GLSL
@@ -32,6 +34,12 @@ class Line:
     text: str
     file: str
     number: int
+
+
+@dataclass(frozen=True)
+class Include:
+    name: str
+    number: int  # of its line
 
 
 @dataclass(frozen=True)
@@ -97,23 +105,19 @@ def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] |
 
     def walk(text: str, file: str, first: int, path: tuple[str, ...]) -> list[Line]:
         lines: list[Line] = []
-        written = text.split("\n")
-        for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), first):
-            match = INCLUDE.match(code)
-            if not match:
-                if code.lstrip().startswith("#include"):
-                    raise Problem(f'{file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
-                lines.append(Line(line, file, number))
+        for piece in pieces(text, file, first):
+            if not isinstance(piece, Include):
+                lines += piece
                 continue
-            name = match[1]
+            name, where = piece.name, f"{file}, line {piece.number}"
             if name in path:
-                raise Problem(f"{file}, line {number}: a circle of includes: {' -> '.join((*path, name))}.")
+                raise Problem(f"{where}: a circle of includes: {' -> '.join((*path, name))}.")
             if name in done:
                 continue
             try:
                 inner = (overrides or {}).get(name) or Source(read(name), f"glsl/{name}")
             except Problem as problem:
-                raise Problem(f"{file}, line {number}: {problem}") from None
+                raise Problem(f"{where}: {problem}") from None
             lines += walk(inner.text, inner.file, inner.first, (*path, name))
             done.add(name)
         return lines
@@ -121,17 +125,49 @@ def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] |
     return walk(text, file, first, ())
 
 
+@lru_cache(1024)
+def pieces(text: str, file: str, first: int) -> tuple[tuple[Line, ...] | Include, ...]:
+    """A text's lines, with the includes between them; kept, because a scene's programs read the same texts."""
+    found: list[tuple[Line, ...] | Include] = []
+    lines: list[Line] = []
+    written = text.split("\n")
+    for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), first):
+        if match := INCLUDE.match(code):
+            found += [tuple(lines), Include(match[1], number)]
+            lines = []
+        elif code.lstrip().startswith("#include"):
+            raise Problem(f'{file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
+        else:
+            lines.append(Line(line, file, number))
+    return (*found, tuple(lines))
+
+
 def blocks(lines: list[Line]) -> list[Block]:
     """Cut lines into top-level declarations: each ends where a ';' or '}' stands outside all braces."""
     found: list[Block] = []
+    rest: tuple[Line, ...] = ()
+    for _, run in groupby(lines, lambda line: line.file):
+        made, rest = cut(tuple(run))
+        if has_code(rest):  # it goes on in an included file
+            whole, rest = cut(tuple(lines))
+            found = [*whole]
+            break
+        found += made
+    if has_code(rest):
+        found.append(closed(rest))
+    return found
+
+
+@lru_cache(4096)
+def cut(lines: tuple[Line, ...]) -> tuple[tuple[Block, ...], tuple[Line, ...]]:
+    """The whole declarations, and the lines after the last of them."""
+    found: list[Block] = []
     open_lines: list[Line] = []
-    depth, brace = 0, None
+    depth = 0
     for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
         if open_lines and line.file != open_lines[-1].file and not has_code(open_lines):
             open_lines = []  # remarks at the end of a file belong to nothing in the next
         open_lines.append(line)
-        if depth == 0 and "{" in code:
-            brace = line
         depth += code.count("{") - code.count("}")
         if depth < 0:
             raise Problem(f"{line.file}, line {line.number}: a }} that closes nothing.")
@@ -140,14 +176,22 @@ def blocks(lines: list[Line]) -> list[Block]:
         if depth == 0 and (whole.endswith((";", "}")) or directive) and not whole.endswith("\\"):
             found.append(block(open_lines))
             open_lines = []
-    if depth and brace:
+    return tuple(found), tuple(open_lines)
+
+
+def closed(lines: Sequence[Line]) -> Block:
+    """What a text ends with, which no ';' or '}' needs to end."""
+    depth, brace = 0, lines[0]
+    for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
+        if depth == 0 and "{" in code:
+            brace = line
+        depth += code.count("{") - code.count("}")
+    if depth:
         raise Problem(f"{brace.file}, line {brace.number}: a {{ that is never closed.")
-    if has_code(open_lines):
-        found.append(block(open_lines))
-    return found
+    return block(lines)
 
 
-def has_code(lines: list[Line]) -> bool:
+def has_code(lines: Sequence[Line]) -> bool:
     return any(code.strip() for code in strip_comments([line.text for line in lines]))
 
 
@@ -156,7 +200,7 @@ def strip_comments(lines: list[str]) -> list[str]:
     return text.split("\n")
 
 
-def block(lines: list[Line]) -> Block:
+def block(lines: Sequence[Line]) -> Block:
     code = "\n".join(strip_comments([line.text for line in lines])).strip()
     words = frozenset(WORD.findall(code))
     function = SIGNATURE.search(code)

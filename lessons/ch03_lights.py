@@ -117,8 +117,7 @@ vec4 probe(int i) {
             Curve("intensity, W/sr", Term("radiant_intensity_of", {"distribution": 0, "exponent": 1.0, "theta": 0.0}),
                   role="estimate"),
         ),
-        y_label="W/(m² sr), W/sr",
-        y_scale="log",
+        y_label="W/(m² sr), W/sr", y_scale="log",
     ),
     readouts=(
         Readout("radiance", Term("radiance_sphere"), unit="W/(m² sr)"),
@@ -132,9 +131,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A sphere of 1 m radius has a radiance of 1 W/(m² sr). Shrink it to 10 cm at the same flux. Its radiance?",
         truth=Term("radiance_sphere", {"radiant_flux": 4 * PI * PI, "radius": 0.1}),
-        unit="W/(m² sr)",
-        low=0.5,
-        high=2000.0,
+        unit="W/(m² sr)", low=0.5, high=2000.0,
         scale="log",
         sets={"radius": 0.1},
         told="100: the area is a hundredth, and the same power has to leave through it. At no size at all it is infinite.",
@@ -147,8 +144,7 @@ intensity. The units already differ. End with the lamp in the floor: the excepti
     sources=("Deck, slides Light Sources and Punctual Lights", "optics reference 2.3: sphere; D5: a point has no radiance"),
     honesty="Exact, for a Lambert sphere. The lamp's own colour only hints at its radiance. No shadows: local shading.",
     values=(Value("radius", 0.25, low=0.005, high=0.6), Value("radiant_flux", 150.0),
-            Value("light_height", 0.8, low=0.1, high=2.0)),
-    minutes=4,
+            Value("light_height", 0.8, low=0.1, high=2.0)), minutes=4,
 )
 
 POSITIONAL = Step(
@@ -247,8 +243,7 @@ vec4 probe(int i) {
             Curve("r not below r₀", Term("irradiance_positional"), role="estimate"),
             Curve("windowed (Karis)", Term("irradiance_windowed"), role="printed"),
         ),
-        y_label="W/m²",
-        y_scale="log",
+        y_label="W/m²", y_scale="log",
     ),
     readouts=(
         Readout("I cos θ / r²", Term("irradiance_positional", {"source_radius": 0.0}), role="exact", unit="W/m²"),
@@ -258,9 +253,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A lamp of 1 W/sr hangs 1 m over the table, which gets 1 W/m². Lower it to 10 cm. What does it get now?",
         truth=Term("irradiance_positional", {"radiant_intensity": 1.0, "distance": 0.1, "theta": 0.0, "source_radius": 0.001}),
-        unit="W/m²",
-        low=0.5,
-        high=2000.0,
+        unit="W/m²", low=0.5, high=2000.0,
         scale="log",
         sets={"distance": 0.1, "theta": 0.0},
         told="100. At 1 cm 10 000, at 0 infinite, and that is where the point stops being a model of the lamp.",
@@ -275,8 +268,7 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
     values=(Value("distance", 1.5, low=0.02, high=4.0), Value("theta", 40.0, low=0.0, high=150.0),
             Value("phi", 20.0, more=True), Value("radiant_intensity", 60.0), Value("source_radius", 0.06, low=0.01, high=0.5),
-            Value("reach", 6.0, low=0.5, high=10.0, more=True)),
-    minutes=5,
+            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5,
 )
 
 DIRECTIONAL = Step(
@@ -361,8 +353,7 @@ vec4 probe(int i) {
             Curve("1 - cos³", Term("falloff_error")),
             Curve("3/2 (ρ/r)²", Term("falloff_error_far"), role="estimate"),
         ),
-        y_label="share lost",
-        y_scale="log",
+        y_label="share lost", y_scale="log",
     ),
     readouts=(
         Readout("less at ρ", Term("falloff_error"), role="exact", unit=""),
@@ -371,9 +362,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A lamp 5 m over the middle of a floor. By which share is it darker 2 m to the side?",
         truth=Term("falloff_error", {"distance": 5.0, "offset": 2.0}),
-        unit="of it",
-        low=0.0,
-        high=0.6,
+        unit="of it", low=0.0, high=0.6,
         sets={"distance": 5.0, "offset": 2.0},
         told="0.20: a fifth. Two thirds of that come from the longer way, one third from the slant.",
     ),
@@ -384,8 +373,7 @@ intensity: that would be infinite. It has what a facing surface gets. 4 minutes.
 """,
     sources=("Deck, slide Punctual Lights - Directional", "Deck, slide Punctual Lights (distant compared to world scale)"),
     honesty="Exact. From 1.2 m on the lamp is drawn nearer than it is, so that it stays in the picture; its rays are true.",
-    values=(Value("distance", 1.1, low=0.5, high=100.0), Value("offset", 1.8, low=0.1, high=2.0)),
-    minutes=4,
+    values=(Value("distance", 1.1, low=0.5, high=100.0), Value("offset", 1.8, low=0.1, high=2.0)), minutes=4,
 )
 
 DISTRIBUTION = Step(
@@ -481,9 +469,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A flat lamp (cosine) has 1 W/sr on its axis. Narrow it to cos⁴ at the same flux. What is its peak?",
         truth=Term("radiant_intensity_of", {"radiant_flux": PI, "distribution": 2, "exponent": 4.0, "theta": 0.0}),
-        unit="W/sr",
-        low=0.2,
-        high=6.0,
+        unit="W/sr", low=0.2, high=6.0,
         sets={"distribution": 2, "exponent": 4.0},
         told="2.5 W/sr: (n + 1)/2 times as much. The flux of cosⁿ is 2π I/(n + 1).",
     ),
@@ -644,9 +630,7 @@ Try the [downlight](?luminaire=down), the [street light](?luminaire=street&heigh
     ask=Prediction(
         question="The bare lamp's file declares 1000 lm and lists 1000 cos θ candela. How many lumens does it emit?",
         truth=Term("ies_flux"),
-        unit="lm",
-        low=0.0,
-        high=6000.0,
+        unit="lm", low=0.0, high=6000.0,
         sets={"luminaire": 5},
         told="3140: about π times what it declares. Its author took the 1000 cd straight down for lumens.",
     ),
@@ -671,8 +655,7 @@ street light keeps only the planes from 90° to 270°: the rest is their mirror 
         Value("aim", 0.0, low=0.0, high=90.0, more=True),
         Value("meter_x", 0.9, low=-2.6, high=2.6, more=True),
         Value("meter_s", -1.7, low=-3.2, high=3.0, more=True),
-    ),
-    minutes=6,
+    ), minutes=6,
 )
 
 IES_RING_STUB = '''import numpy as np
@@ -853,9 +836,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="Hotspot 20°, falloff 30°, 100 W/sr: 61 W. A program reads the angles as full ones. What flux does it make?",
         truth=Term("spot_flux", {"radiant_intensity": 100.0, "hotspot": 10 * PI / 180, "falloff": 15 * PI / 180}),
-        unit="W",
-        low=0.0,
-        high=122.0,
+        unit="W", low=0.0, high=122.0,
         sets={"hotspot": 20.0, "falloff": 30.0, "edge": 0, "reading": 0},
         told="15.5 W: a quarter. A cone grows with the square of its angle; file formats differ in which half they mean.",
     ),
@@ -873,8 +854,7 @@ where the rest went. 6 minutes.
             Value("edge", 0, choices=("linear", "smooth", "printed", "IES")),
             Value("reading", 0, choices=("meant", "full", "sign")),
             Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
-            Value("radiant_intensity", 100.0, more=True)),
-    minutes=6,
+            Value("radiant_intensity", 100.0, more=True)), minutes=6,
 )
 
 LIGHT_GLSL = """
@@ -1029,9 +1009,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A panel of half a square metre radiates 50 W. What is its radiance?",
         truth=Term("light_radiance", {"given": 0, "amount": 50.0, "light_shape": 0, "panel_width": 1.0, "panel_depth": 0.5}),
-        unit="W/(m² sr)",
-        low=1.0,
-        high=300.0,
+        unit="W/(m² sr)", low=1.0, high=300.0,
         scale="log",
         sets={"given": 0, "amount": 50.0, "light_shape": 0, "panel_width": 1.0, "panel_depth": 0.5},
         told="31.8: each square metre sends out 100 W, and π times the radiance is what leaves it.",
@@ -1050,9 +1028,7 @@ directions. 4 minutes.
             Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
-    minutes=4,
-    breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5},
-                  "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
+    minutes=4, breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5}, "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
 )
 
 AREA_SAMPLED = Step(
@@ -1137,8 +1113,7 @@ vec4 probe(int i) {
             Curve("these samples", Term("irradiance_light_sampled"), role="estimate", precision="float32"),
             Curve("without cos θ′", Term("irradiance_light_without_cosine"), role="printed", precision="float32"),
         ),
-        y_label="relative error",
-        y_scale="log",
+        y_label="relative error", y_scale="log",
         error=True,
     ),
     readouts=(
@@ -1154,9 +1129,7 @@ vec4 probe(int i) {
         truth=Term("irradiance_light_sampled", {
             "light_shape": 0, "radiance": 10.0, "light_x": 0.0, "light_y": 0.0, "light_height": 0.5, "panel_width": 2.0,
             "panel_depth": 2.0, "panel_tilt": 0.0, "position": (0.0, 0.0, 0.0), "sampling": 0, "level": 0, "seed": 0}),
-        unit="W/m²",
-        low=0.0,
-        high=250.0,
+        unit="W/m²", low=0.0, high=250.0,
         sets={"light_shape": 0, "level": 0, "sampling": 0},
         told="160, six times too much: it puts the whole panel at the nearest place. Five times the panel's size away it is right.",
     ),
@@ -1276,8 +1249,7 @@ vec4 probe(int i) {
             *(Curve(name, Term("irradiance_light", {"light_shape": kind, **BELOW}), role="estimate")
               for kind, name in enumerate(SHAPES)),
         ),
-        y_label="W/m²",
-        y_scale="log",
+        y_label="W/m²", y_scale="log",
     ),
     readouts=(
         Readout("below it", Term("irradiance_light", BELOW), role="exact", unit="W/m²"),
@@ -1289,9 +1261,7 @@ vec4 probe(int i) {
     ask=Prediction(
         question="A sphere of radiance 1, two radii away and overhead, gives 0.79 W/m². With its centre on the horizon?",
         truth=Term("irradiance_sphere_light", {"radiance": 1.0, "radius": 0.5, "distance": 1.0, "theta": PI / 2}),
-        unit="W/m²",
-        low=0.0,
-        high=0.8,
+        unit="W/m²", low=0.0, high=0.8,
         sets={"light_shape": 2, "light_height": 0.12},
         told="0.091. Half of it is above the horizon and grazes. As a point it would give nothing: cos 90° is 0.",
     ),
@@ -1310,9 +1280,7 @@ make of the same number. 5 minutes.
             Value("radiance", 10.0, low=1.0, high=30.0, more=True)),
     leave_outs=(
         LeaveOut("64 samples of a lamp", 0.0, 1e-6, "One formula", within={"irradiance_light": "irradiance_light_64"}),
-        LeaveOut("the lamps' size", Term("point_lights_error"), 1e-2, "A point",
-                 without={"irradiance_light": "irradiance_light_point"}),
-    ),
+        LeaveOut("the lamps' size", Term("point_lights_error"), 1e-2, "A point", without={"irradiance_light": "irradiance_light_point"})),
     minutes=5,
 )
 
@@ -1384,8 +1352,7 @@ vec4 probe(int i) {
               for kind, name in ((2, "stratified"), (3, "Sobol"), (4, "Sobol, angle"), (5, "Gauss, angle"))),
             Curve("random", Term("irradiance_light_sampled", {"sampling": 1}), role="printed"),
         ),
-        y_label="relative error",
-        y_scale="log",
+        y_label="relative error", y_scale="log",
         error=True,
     ),
     readouts=(

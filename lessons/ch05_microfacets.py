@@ -158,8 +158,7 @@ rough means dull, every point scatters. Here no point does. 5 minutes.
     honesty="Each pixel shows the mean of a few mirror images in its facets. Grooves of equal width with ridges of equal "
             "height are the model's; real scratches are not so tidy. The room is made up.",
     values=(Value("zoom", 1.0, low=1.0, high=100.0), Value("m", 0.2, low=0.02, high=0.8),
-            Value("groove_width", 60.0, more=True)),
-    minutes=5,
+            Value("groove_width", 60.0, more=True)), minutes=5,
 )
 
 FACETS = Step(
@@ -395,8 +394,7 @@ in chapter 7 starts from that. Swap l and v: G stays the same, and this is recip
     honesty="Exact for symmetric grooves without end, ridges of one height, and light that bounces once. Directions that do "
             "not lie across the groove count as one sees them along it.",
     values=(Value("facet", 45.0, low=5.0, high=80.0), Value("lean_l", 58.0, low=-85.0, high=85.0),
-            Value("lean_v", 72.0, low=-85.0, high=85.0), Value("samples", 200, low=16, high=4096)),
-    minutes=7,
+            Value("lean_v", 72.0, low=-85.0, high=85.0), Value("samples", 200, low=16, high=4096)), minutes=7,
 )
 
 INTERREFLECTIONS = Step(
@@ -539,8 +537,7 @@ The slide sends the class to Oren-Nayar for inter-reflection; only their full mo
     values=(Value("disk_x", 0.8, low=-0.98, high=0.98), Value("phase", 0.0, low=0.0, high=80.0),
             Value("sigma", 40.0, low=0.0, high=57.0), Value("roughness", 0.9), Value("rho", 0.85, low=0.05, high=0.9, more=True),
             Value("facet", 55.0, low=20.0, high=80.0, more=True), Value("theta_l", 60.0, more=True),
-            Value("theta_v", 50.0, more=True), Value("phi", 0.0, more=True)),
-    minutes=7,
+            Value("theta_v", 50.0, more=True), Value("phi", 0.0, more=True)), minutes=7,
 )
 
 COOK_TORRANCE_MODEL = "The Cook – Torrance Model ({})".format
@@ -667,9 +664,7 @@ vec4 probe(int i) {
         question="A very rough metal, m = 1, and facets that reflect all. The eye looks straight down. What share of the "
                  "light does the formula, with its 1/4, send back?",
         truth=Term("albedo_cook_torrance", {"theta_v": 0.0, "m": 1.0, "f0": 1.0}),
-        unit="of it",
-        low=0.0,
-        high=2.0,
+        unit="of it", low=0.0, high=2.0,
         sets={"m": 1.0, "theta_v": 0.0, "prefactor": 0},
         told="0.45. The rest meets a second facet, and the formula drops it. With 1/π it is 4/π times as much.",
     ),
@@ -933,8 +928,7 @@ vec4 probe(int i) {
         curves=(Curve("exact", Term("d_beside")), Curve("stable", Term("d_beside"), role="estimate", precision="float32"),
                 Curve("fast", Term("d_beside_naive"), role="printed", precision="float32"),
                 Curve("expensive", Term("d_beside_acos_naive"), role="printed", precision="float32")),
-        y_label="relative error",
-        y_scale="log",
+        y_label="relative error", y_scale="log",
         error=True,
     ),
     readouts=(
@@ -948,9 +942,7 @@ vec4 probe(int i) {
         question="A polished metal, m = 0.001, and a facet that leans by m. How many float32 numbers are there between the "
                  "cosine of its angle and 1?",
         truth=Term("cosine_steps", {"slope_ratio": 1.0, "m": 0.001}),
-        unit="numbers",
-        low=1.0,
-        high=1e7,
+        unit="numbers", low=1.0, high=1e7,
         scale="log",
         sets={"m": 0.001, "slope_ratio": 1.0},
         told="8. The whole highlight, out to one m, has eight cosines to choose from; you can count them as rings.",
@@ -1052,8 +1044,7 @@ vec4 probe(int i) {
         sweep="slope_ratio",
         curves=(Curve("Beckmann", Term("d_lean", {"ndf": 2})),
                 Curve("cosine lobe", Term("d_lean", {"ndf": 1}), role="printed")),
-        y_label="D in 1/sr",
-        y_scale="log",
+        y_label="D in 1/sr", y_scale="log",
     ),
     readouts=(
         Readout("exponent of equal width", Term("exponent_from_m"), role="exact", unit=""),

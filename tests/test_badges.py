@@ -105,7 +105,7 @@ TABLE = {  # a reflectance, what is said with it, and what is red: badge -> wors
     "Cook-Torrance": (cook_torrance(0.3), {}, {}),
     "Cook-Torrance, smooth": (cook_torrance(1e-4), {}, {}),
     "Cook-Torrance, 1/pi, m = 0.1": (cook_torrance(0.1, 1 / PI), {}, {"energy": (1.2732, 1e-3, {"theta_v": 0})}),
-    "Cook-Torrance, 1/pi, m = 0.8": (cook_torrance(0.8, 1 / PI), {}, {"energy": (1.2732, 2e-3, {"theta_v": 89.5})}),
+    "Cook-Torrance, 1/pi, m = 0.8": (cook_torrance(0.8, 1 / PI), {}, {"energy": (1.27003, 1e-4, {"theta_v": 89.5})}),
     "a cat's eye": (sent_back(1e6), {}, {}),
     "a cat's eye, too bright": (lambda n, l, v: 1.1 * sent_back(1e6)(n, l, v), {},
                                 {"energy": (1.1, 1e-3, {"theta_v": 0})}),

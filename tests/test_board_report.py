@@ -23,6 +23,7 @@ from app.optics.colour import linear_to_srgb
 from app.optics.cook_torrance import albedo_cook_torrance
 from app.optics.spherical import direction
 from app.plots.models import Lit
+from app.plots.sweep import Swept, cut
 from app.problem import Problem, Usage
 from app.theme import THEMES
 
@@ -112,6 +113,24 @@ def test_the_plots_process_calls_a_users_file(tinted):
                               {"theta_v": (0.0, 1.5)}) for one in (term, same)]
     np.testing.assert_allclose(*(picture.astype(int) for picture in pictures), rtol=0, atol=1)
     assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 10
+
+
+@pytest.mark.parametrize("m", [0.01, 0.03, 0.1, 0.3, 1.0])
+def test_albedo_curves_against_the_semi_analytic_one(m):
+    """Over a fine sweep, so that what lies between the computed angles counts too; V-grooves have bends all over."""
+    theta = np.radians(np.linspace(0, 89.9, 400))
+    off = np.abs(twin("albedo:cook_torrance")(theta, 0, (m, 1.0)) - albedo_cook_torrance(theta, m, 1.0))
+    assert off[theta < np.radians(88)].max() < 1.5e-4 and off.max() < 8e-4
+
+
+def test_a_curve_that_leaves_its_axis_is_cut_with_a_word():
+    plot = Curves("c", "theta_v", (Curve("calm", Term("brdf_lambert_at")),), "share", most=2.0)
+    y = np.array([0.5, 1.0, 3.0, 12.6, np.nan, 1.9])
+    one = cut(Swept(plot.curves[0], y, 12.6, ~np.isfinite(y)), 2.0)
+    np.testing.assert_array_equal(one.y, [0.5, 1.0, 2.0, np.nan, np.nan, 1.9])
+    assert one.cut == 12.6 and np.isnan(one.now) and one.cut > 2
+    same = Swept(plot.curves[0], y[:2], 1.0, np.zeros(2, bool))
+    assert cut(same, 2.0) is same
 
 
 # --- the sphere ------------------------------------------------------------------------------------------------------

@@ -142,6 +142,7 @@ def test_a_scenes_own_function_changes_no_number():
                                          "float d_beckmann(vec3 n, vec3 h, float m)."),
     (("vec3 n, vec3 h", "vec3 n"), "your d_beckmann, line 1: others call float d_beckmann(vec3 n, vec3 h, float m); "
                                    "its types must stay."),
+    (("{", "{ /*"), "your d_beckmann, line 1: a remark that is never closed."),
     (("float d_beckmann(", "uniform float mine;\nfloat d_beckmann("),
      "your d_beckmann, line 1: a uniform of one's own; nothing would set it."),
 ])
@@ -161,6 +162,22 @@ def test_other_lines_of_the_file_keep_their_numbers():
         assert (after.file, after.number) == (known["d_beckmann"].file, known["d_beckmann"].first)
         mine = [line.number for line in lines if line.file == "your slope_squared"]
         assert mine == list(range(1, text.count("\n") + 2))
+
+
+def test_an_include_in_a_remark_is_no_end_of_the_window(ctx):
+    found, known = step(STEP), edit.functions(step(STEP))
+    text = known["d_beckmann"].text.replace("//", '// #include "x"')
+    edits = edit.overrides({"d_beckmann": text}, known, edit.source_of(found))
+    with pytest.raises(Problem, match=r"^your d_beckmann, line 2: an #include stands on a line of its own\.$"):
+        Stage(ctx, edit.source_of(found)).rewrite(edits)
+
+
+def test_a_function_that_calls_itself_is_named(ctx):
+    found, known = step(STEP), edit.functions(step(STEP))
+    text = known["d_beckmann"].text.replace("return ", "return d_beckmann(n, h, m) + ", 1)
+    edits = edit.overrides({"d_beckmann": text}, known, edit.source_of(found))
+    with pytest.raises(Problem, match=r"^your d_beckmann, line 1: d_beckmann calls itself, which GLSL"):
+        Stage(ctx, edit.source_of(found)).rewrite(edits)
 
 
 # --- a text is kept --------------------------------------------------------------------------------------------------

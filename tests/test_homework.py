@@ -164,7 +164,7 @@ def test_the_window_checks_what_is_typed_in_the_background():
     checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])  # typed on while the first is checked
     shown = checker.wait(60)
     assert not checker.busy and shown.text == TRIANGLE.solutions["glsl"] and shown.ok
-    assert all(good for good, _ in shown.lines) and len(shown.lines) >= 6
+    assert all(good for good, _ in shown.checks) and len(shown.checks) >= 6
     checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])
     assert not checker.busy, "the same text is not asked again"
 
@@ -176,7 +176,7 @@ def test_the_window_checks_what_is_typed_in_the_background():
 ])
 def test_what_is_typed_wrongly_is_told_at_its_own_line(text, words):
     shown = exercises.verdicts("solid_angle/triangle", text)
-    assert not shown.ok and not shown.lines[0][0] and words in shown.lines[0][1], shown.lines
+    assert not shown.ok and not shown.checks[0][0] and words in shown.checks[0][1], shown.checks
 
 
 def test_included_text_leaves_the_other_lines_where_they_are():

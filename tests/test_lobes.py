@@ -40,9 +40,9 @@ def test_scenes_have_the_same_grid(peak, ctx):
 
 def test_the_length_of_a_lobe_is_linear_or_counts_powers_of_ten(ctx):
     args = {"value": np.array([0.0, 1e-3, 0.5, 5.0, -1.0]), "largest": 5.0}
-    linear = evaluate("lobe_radius", args | {"decades": 0.0}, text=LOBE, ctx=ctx)
+    linear = evaluate("lobe_radius", args | {"powers": 0.0}, text=LOBE, ctx=ctx)
     assert linear == pytest.approx([0, 2e-4, 0.1, 1, 0])
-    logarithmic = evaluate("lobe_radius", args | {"decades": 4.0}, text=LOBE, ctx=ctx)
+    logarithmic = evaluate("lobe_radius", args | {"powers": 4.0}, text=LOBE, ctx=ctx)
     assert logarithmic == pytest.approx([0, 1 - np.log10(5e3) / 4, 0.75, 1, 0], abs=1e-6)
 
 

@@ -13,6 +13,7 @@ from app.__main__ import main
 from app.stress import command, energy, judge
 from app.stress.copies import EXTENDED, twin_of
 from app.stress.grid import ladder, points
+from app.stress.heat import FAULT, heat_map, panel, rungs
 from app.stress.judge import GLSL, NUMPY32, NUMPY64, judged
 from app.stress.paste import line
 from app.stress.ranges import kind
@@ -145,6 +146,27 @@ def test_an_interruption_keeps_what_is_done(monkeypatch, capsys):
     assert main(["stress", "solid_angle_cone", "d_beckmann"]) == 130
     said = capsys.readouterr()
     assert "interrupted after 1 of 2" in said.err and "1 functions" in said.out
+
+
+def test_the_page_needs_nothing_else(tmp_path, capsys):
+    assert main(["stress", "projected_solid_angle_disk_naive", "d_beckmann", "random_number", "-o", str(tmp_path)]) == 0
+    page = (tmp_path / "index.html").read_text("utf-8")
+    assert "http:" not in page and "https:" not in page and "<script" not in page and page.count("data:image/png") == 3
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "index.html", "projected_solid_angle_disk_naive.png", "d_beckmann.png", "random_number.png"}
+    assert "halfway eval projected_solid_angle_disk_naive radius=" in page
+
+
+def test_a_map_shows_the_worst_of_each_cell():
+    found = judged("projected_solid_angle_disk_naive")
+    (radii, across), (heights, down) = (rungs(found.args[name]) for name in ("radius", "height"))
+    picture = np.asarray(panel(found.errors, (radii, across), (heights, down)))
+    i = int(np.argmax(found.errors))
+    row, column = down[i], across[i]
+    box = picture[9 * 18 * row // len(heights) + 2:9 * 18 * (row + 1) // len(heights) - 2,
+                  9 * 18 * column // len(radii) + 2:9 * 18 * (column + 1) // len(radii) - 2].reshape(-1, 3)
+    assert np.isinf(found.errors[i]) and np.any(np.all(box == FAULT, -1))
+    assert heat_map(judged("solid_angle_cone")).height < 200
 
 
 # --- scenes ----------------------------------------------------------------------------------------------------------

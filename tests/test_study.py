@@ -187,6 +187,8 @@ def line(*errors: float) -> Line:
 def test_a_tolerance_is_reached_when_it_is_kept():
     found = line(1e-1, 1e-4, 1e-2, 5e-4, 1e-5)
     assert found.reach(1e-3).rung == 3 and found.reach(1e-2).rung == 1 and found.reach(1e-6) is None
+    found.points[3].times = [9.0]  # the clock wavers, and a smaller error is not reached before a larger one
+    assert found.reach(1e-3).rung == found.reach(1e-4).rung == 4
 
 
 def test_the_winner_is_the_first_in_time_and_not_the_reference():

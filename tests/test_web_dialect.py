@@ -1,7 +1,6 @@
 """The GLSL a student reads on the desktop is the GLSL a browser runs: every text under the header of the web."""
 
 import os
-import shutil
 from functools import cache
 
 import moderngl
@@ -12,9 +11,8 @@ from app.gpu.evaluate import point_program
 from app.gpu.stage_text import PARTS, needed, programs
 from app.paths import GLSL
 from lessons.cover import COVER
+from tests.browser import CHROMIUM, chromium
 
-FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 EMPTY = shader.WEB[0] + "\nprecision highp float;\nvoid main() {}\n"
 LINK = """
 texts => {
@@ -79,14 +77,8 @@ def test_mesa_compiles_it_as_es(name, ctx):
 
 
 def in_browser(pairs: list[tuple[str, str, str]]) -> list[str]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        try:
-            return browser.new_page().evaluate(LINK, pairs)
-        finally:
-            browser.close()
+    with chromium() as browser:
+        return browser.new_page().evaluate(LINK, pairs)
 
 
 @pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium, which only CI installs")

@@ -1,5 +1,6 @@
 """Drive the real window without a display: one run of the complete app around a test function."""
 
+import signal
 from collections.abc import Callable
 from pathlib import Path
 
@@ -37,11 +38,19 @@ def drive(
     try:
         testing.run(test_function=patiently, runner_params=params, add_ons_params=add_ons)
     finally:
+        ignore_broken_pipes()
         of_thread.cache_clear()  # the null platform has closed the display it shares with the surfaceless context
     return window
 
 
+def ignore_broken_pipes() -> None:
+    """The test engine's crash handler takes a pipe whose reader has gone for a crash; Python's own way is an error."""
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_IGN)
+
+
 def jobs_of(window: Window) -> None:
+    ignore_broken_pipes()
     io = imgui.get_io()  # seconds: a busy machine draws few frames between two clicks
     io.mouse_double_click_time, io.mouse_single_click_delay = 2.0, 2.5
     while window.jobs:

@@ -3,8 +3,8 @@
     board:WORD     f(n, l, v, channel, values) in 1/sr
     half:WORD      f(theta_h, theta_d, phi_d, channel, values), the same in the angles of the halfway vector, 0 below
                    the horizon
-    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1e-3, a pixel of a plot,
-                   where G has bends, and better where the model is smooth
+    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1.5e-4 (app/furnace.py),
+                   nearer to the horizon than two degrees to 8e-4
 
 WORD is what `halfway board` takes: a model of the course or a path. `channel` is 0, 1 or 2, or LUMINANCE for what the
 three weigh together; `values` are the model's parameters in their order, a colour as three numbers.
@@ -30,7 +30,7 @@ from app.shader import Overrides
 LUMINANCE = 3
 KINDS = "board", "half", "albedo"
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])  # of linear sRGB (IEC 61966-2-1)
-ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-1]) ** 1.5), 89.9))  # denser to the horizon
+ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-5]) ** 2.75), 89.9))  # denser to the horizon
 
 
 def packed(parameters: tuple[Parameter, ...], values: dict[str, Default]) -> tuple[float, ...]:
@@ -72,7 +72,7 @@ def made(kind: str, word: str, stamp: tuple, edits: Overrides) -> Callable:
         return albedo(lambda n, l, v: value(n, l, v, channel, values), ANGLES)[0]
 
     def share(theta_v, channel, values):
-        return np.interp(theta_v, ANGLES, at_angles(channel, values))
+        return between(theta_v, at_angles(channel, values))
 
     def half(theta_h, theta_d, phi_d, channel, values):
         l, v = directions(theta_h, theta_d, phi_d)
@@ -87,6 +87,17 @@ def badges(name: str, values: tuple[float, ...], edits: Overrides = ()) -> dict[
     word = name.partition(":")[2]
     model = edited(opened(word), edits) or opened(word)
     return model.badges(unpacked(model.parameters, values))
+
+
+def between(theta_v, y: np.ndarray) -> np.ndarray:
+    """A smooth curve through the values at ANGLES: cubic pieces, their slopes by differences."""
+    x = np.clip(np.asarray(theta_v, float), ANGLES[0], ANGLES[-1])
+    i = np.clip(np.searchsorted(ANGLES, x) - 1, 0, len(ANGLES) - 2)
+    with np.errstate(invalid="ignore", over="ignore"):
+        slope, wide = np.gradient(y, ANGLES, edge_order=2), ANGLES[i + 1] - ANGLES[i]
+        u = (x - ANGLES[i]) / wide
+        return (y[i] * (1 + 2 * u) * (1 - u) ** 2 + y[i + 1] * u * u * (3 - 2 * u)
+                + wide * u * (1 - u) * (slope[i] * (1 - u) - slope[i + 1] * u))
 
 
 def channel_of(rgb: np.ndarray, channel: int) -> np.ndarray:

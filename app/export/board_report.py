@@ -35,6 +35,7 @@ SIZE, LEAST = "1920x1200", (1600, 1000)  # px
 LETTERS = 14  # heights of its text that an image slice has room for
 VALUES = {"theta_l": math.radians(45), "theta_v": math.radians(30), "phi": math.pi, "lobe_scale": 0}
 RANGES = {"theta_v": (0.0, math.radians(89.9))}
+MUCH = 2.0  # an albedo where its axis ends: a model that makes more light may not flatten the others
 BESIDE = 1 / 3  # of the width, for the words of a model that is alone
 
 
@@ -159,7 +160,7 @@ def together(models: list[Shown]) -> tuple[Plot, ...]:
             curves.append(Curve(one.label, one.term("albedo", channel(one)), role, colour=one.colour))  # type: ignore[arg-type]
     return (Lobes("Lobes", lit, camera=Camera(azimuth=-70, elevation=18, distance=4.3, target=(0.0, 0.0, 0.42))),
             Slice("Plane of incidence", lit),
-            Curves("Albedo, by the eye's angle", "theta_v", tuple(curves), "share of the light sent on"))
+            Curves("Albedo, by the eye's angle", "theta_v", tuple(curves), "share of the light sent on", most=MUCH))
 
 
 def column(picture: Image.Image, box: tuple[int, int, int, int], one: Shown, told: list[Line], high: int, beside: bool,

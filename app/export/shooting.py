@@ -110,7 +110,7 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
     camera, zoom = stage.scene.camera, 1.0
     tangent = math.tan(math.radians(camera.field_of_view) / 2)
     for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme)
+        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, fine=False, counted=False)
         far = reach(stage, theme)
         wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
         if far >= CUT_OFF:

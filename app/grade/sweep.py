@@ -35,6 +35,33 @@ class Sweep:
     expected: np.ndarray
     got: np.ndarray
 
+    @property
+    def ends(self) -> tuple[float, float, bool] | None:
+        """The ends of the axis of values, and whether it is logarithmic; None where there is nothing to show."""
+        return ends(self.expected, self.got)
+
+
+def ends(right: np.ndarray, yours: np.ndarray) -> tuple[float, float, bool] | None:
+    sound = right[np.isfinite(right)]
+    if not len(sound):
+        return None
+    log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
+    return *limits(sound, yours[np.isfinite(yours)], log), log
+
+
+def limits(right: np.ndarray, yours: np.ndarray, log: bool) -> tuple[float, float]:
+    """The ends of the axis: all right values, and the student's where they are not too far off."""
+    low, high = float(right.min()), float(right.max())
+    if log:
+        low = max(low, high * 1e-12)
+        near = yours[(yours >= low / 30) & (yours <= high * 30)]
+    else:
+        room = 4 * max(high - low, 0.25 * max(abs(high), abs(low)), 1e-300)
+        near = yours[(yours >= low - room) & (yours <= high + room)]
+    if len(near):
+        low, high = min(low, float(near.min())), max(high, float(near.max()))
+    return (low, high) if high > low else (low - 1.0, high + 1.0) if not log else (low / 2, low * 2)
+
 
 def through(task: Task, args: dict, language: Language) -> Plan | None:
     """The sweep, of all arguments', along which the right value changes most."""

@@ -41,6 +41,8 @@ def notices_of(curve: Swept) -> list[str]:
     count = int(curve.not_finite.sum())
     if count:
         found.append(f"“{curve.curve.label}”: {count} {'point is' if count == 1 else 'points are'} not finite")
+    if curve.cut:
+        found.append(f"“{curve.curve.label}” goes up to {curve.cut:.3g} and is cut")
     if 0 < curve.not_positive < len(curve.y):
         found.append(f"“{curve.curve.label}”: {curve.not_positive} not above 0, off a logarithmic axis")
     return found

@@ -1,7 +1,7 @@
 """The numbers of a Curves plot: twins over a swept value, their errors, and a frame that keeps still. No drawing."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,6 +25,7 @@ class Swept:
     now: float
     not_finite: np.ndarray  # of the sweep
     not_positive: int = 0  # that a logarithmic axis cannot show
+    cut: float = 0.0  # the largest value, where the plot's axis ends below it
 
 
 class Sweep:
@@ -64,7 +65,7 @@ class Sweep:
                 y, here = np.fmax(y, self.floor, where=np.isfinite(y), out=y), max(here, self.floor)
             bad = ~np.isfinite(y)
             drawn.append(Swept(curve, y, here, bad, int(np.sum(y[~bad] <= 0)) if self.log else 0))
-        return drawn
+        return [cut(one, self.plot.most) for one in drawn] if self.plot.most and not self.log else drawn
 
     def over(self, index: int, curve: Curve, values: dict) -> np.ndarray:
         """A curve over the whole sweep; kept while only the swept value moves."""
@@ -109,6 +110,18 @@ class Sweep:
         if self.plot.error:
             low, high = max(round(math.log10(self.floor)), low), max(0, high)
         return Axis(10.0 ** max(low, -300), 10.0 ** min(max(high, low + 1), 300), log=True)
+
+
+def cut(one: Swept, most: float) -> Swept:
+    """The curve without what is above the end of the axis; its first points beyond are drawn at the end."""
+    above = one.y > most
+    if not above.any():
+        return one
+    below = np.isfinite(one.y) & ~above
+    beside = above & (np.pad(below, (1, 0))[:-1] | np.pad(below, (0, 1))[1:])
+    y = np.where(beside, most, np.where(above, np.nan, one.y))
+    return replace(one, y=y, now=one.now if one.now <= most else math.nan, cut=float(one.y[above & ~one.not_finite].max(
+        initial=most)))
 
 
 def error(y: np.ndarray, exact: np.ndarray) -> np.ndarray:

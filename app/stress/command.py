@@ -42,11 +42,11 @@ def run(options: argparse.Namespace) -> int:
     scenes: list[Played] = []
     code = tried(wanted, judged, findings, str)
     if not code and not options.functions:
-        code = tried(steps(), played, scenes, lambda found: found.id)
+        code = tried([found.id for found in steps()], played, scenes, str)
     print(json.dumps(as_data(findings, scenes), indent=1, ensure_ascii=False, allow_nan=False) if options.json
           else told(findings, scenes, bool(options.functions)))
     if folder is not None:
-        from app.export.stress_page import save
+        from app.stress.report import save
 
         print(save(findings, scenes, folder), file=sys.stderr)
     return code or int(any(one.fails for one in findings) or any(one.faults for one in scenes))

@@ -5,8 +5,9 @@ from functools import cache
 
 import numpy as np
 
+from app.hemisphere import apart
 from app.optics.spherical import direction
-from app.quantities import PI, TABLE
+from app.quantities import FROM_ANGLES, PI, TABLE
 from app.stress.domain import COUNTED, DIRECTIONS, JOINT, arguments, f32, facing
 
 POINTS, SLOW_POINTS = 320, 24
@@ -19,7 +20,8 @@ TURNS = {  # where formulas change their branch, inside the range
 }
 # Sums of thousands of terms
 SLOW = {"sun_share", "reflected_radiance_sum", "albedo_ggx", "reflected_radiance", "facet_area", "albedo_geometry",
-        "hemisphere_meter", "albedo_smith", "irradiance_light_sampled", "weak_furnace", "weak_furnace_rational"}
+        "hemisphere_meter", "schlick_worst", "paint_measured",
+        "albedo_smith", "irradiance_light_sampled", "weak_furnace", "weak_furnace_rational"}
 
 
 @cache
@@ -80,6 +82,18 @@ def points(name: str, count: int = 0) -> dict:
 
 
 def varying(args: dict) -> dict[str, np.ndarray]:
-    """The arguments that differ from point to point and are single numbers: the axes of a heat map."""
-    count = max((len(x) for x in map(np.asarray, args.values()) if x.ndim), default=0)
-    return {name: np.asarray(x) for name, x in args.items() if np.shape(x) == (count,) and name in TABLE}
+    """The axes of a heat map: arguments that differ from point to point; of unit vectors their angles from n, or of
+    the first two where there is no n, of other vectors their lengths."""
+    single = {name: np.asarray(x, float) for name, x in args.items() if name in TABLE and TABLE[name].width == 1}
+    count = max((len(x) for x in single.values() if x.ndim), default=0)
+    vectors = {name: np.asarray(x, float) for name, x in args.items() if name in TABLE and TABLE[name].width > 1}
+    count = count or max(map(len, vectors.values()), default=0)
+    found = {name: x for name, x in single.items() if x.shape == (count,)}
+    for name, x in vectors.items():
+        if name not in FROM_ANGLES:
+            found[f"|{name}|"] = np.linalg.norm(x, axis=-1)
+        elif name != "n" and "n" in vectors:
+            found[f"angle of {name}"] = apart(x, vectors["n"])
+    if {"l", "v"} <= vectors.keys():
+        found["angle of l and v"] = apart(vectors["l"], vectors["v"])
+    return {name: np.broadcast_to(x, (count,)) for name, x in found.items()}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.catalog import LoadedStep
+from app.catalog import LoadedStep, step
 from app.gpu.context import context
 from app.gpu.stage import Faults, Stage
 from app.gpu.stage_text import Source
@@ -43,8 +43,9 @@ class Played:
     faults: tuple[Fault, ...]
 
 
-def played(found: LoadedStep, mixed: int = MIXED, ctx=None) -> Played:
+def played(found: LoadedStep | str, mixed: int = MIXED, ctx=None) -> Played:
     """A step at its corners: what went wrong, state by state."""
+    found = step(found) if isinstance(found, str) else found
     with Player(found, ctx) as player:
         tried = list(corners(found, mixed))
         faults = [fault for values in tried if (fault := player.fault(values))]

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from app.study.report import Report
 
 BUDGET, LEAST_BUDGET = 100.0, 2.0  # s
-STARTING, ENDING = 0.8, 1.0  # s before the first line of this runs, and for the page
+STARTING, ENDING = 1.2, 1.2  # s before the first line of this runs, and for the page
 INTERRUPTED = 130
 
 

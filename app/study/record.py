@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 import numpy as np
 
@@ -58,13 +59,11 @@ class Line:
     stopped: str = ""  # why it did not climb on
 
     def reach(self, tolerance: float) -> Point | None:
-        """The first rung from which on every error is at most the tolerance; None where it did not reach."""
-        found = None
-        for point in reversed(self.points):
-            if not point.error <= tolerance:
-                break
-            found = point
-        return found
+        """The fastest rung of those from which on every error is at most the tolerance; None where it did not reach.
+
+        Times waver: of two rungs that both are there the dearer may have been measured as the faster."""
+        kept = takewhile(lambda point: point.error <= tolerance, reversed(self.points))
+        return min(kept, key=lambda point: point.time, default=None)
 
     @property
     def order(self) -> tuple[float, float] | None:

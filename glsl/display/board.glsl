@@ -25,7 +25,7 @@ vec3 plate() { return place(0.66, -0.8); }
 
 vec3 ball_at(int which) {
     if (which == model) return large();
-    return place(-1.42 + 0.66 * float(which < model ? which : which - 1), -1.1);
+    return place(-1.42 + 0.66 * float(which < model ? which : which - 1), -1.0);
 }
 
 float ball_size(int which) { return which == model ? LARGE : SMALL; }

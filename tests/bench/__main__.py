@@ -81,8 +81,14 @@ def grading():
     return measure()
 
 
+def board():
+    from tests.bench.board import board as measure
+
+    return measure()
+
+
 GROUPS = {measure.__name__: measure
-          for measure in (commands, frames, plots, window, points, badges, digits, studies, grading)}
+          for measure in (commands, frames, plots, window, board, points, badges, digits, studies, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -92,6 +92,8 @@ class Gpu {
         const filled = new Float32Array(rows * TRIANGLES * 9).fill(1); // triangles of no area subtend nothing
         filled.set(data.triangles);
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB32F, 3 * TRIANGLES, rows, 0, gl.RGB, gl.FLOAT, filled);
+      } else if (data.picture) {
+        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, data.columns, data.rows, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes(data.picture));
       } else {
         gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, data.columns, data.rows, 0, gl.RED, gl.FLOAT, data.numbers);
       }
