@@ -44,7 +44,8 @@ class Lecturer:
     def draw(self) -> None:
         app, main = self.app, imgui.get_main_viewport()
         monitors = imgui.get_platform_io().monitors
-        at = ImVec2(main.pos.x + main.size.x + 20, main.pos.y)
+        edge = max((one.main_pos.x + one.main_size.x for one in monitors), default=1e6) - SIZE[0]
+        at = ImVec2(max(min(main.pos.x + main.size.x + 20, edge), 0.0), main.pos.y)
         if len(monitors) > 1:
             other = monitors[1]
             at = ImVec2(other.work_pos.x + 40, other.work_pos.y + 40)
@@ -131,7 +132,7 @@ class Lecturer:
                 imgui.same_line()
                 imgui.text_wrapped(choice.text)
         else:
-            unit = f", {hands.ask.unit}" if hands.ask.unit else ""
+            unit = f" ({hands.ask.unit})" if hands.ask.unit else ""
             imgui.text_wrapped(f"The guesses{unit}; 0.5x4 for four hands:")
             imgui.set_next_item_width(-1)
             changed, self.typed = imgui.input_text("##guesses", self.typed)
