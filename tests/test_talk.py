@@ -6,6 +6,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
+from app import __main__ as cli
 from app import cues, present
 from app.catalog import step, steps
 from app.cues import Stop
@@ -229,3 +230,14 @@ def test_areas_are_inside_apart_and_the_scene_is_large(size, slide, detail):
     assert scene.width * scene.height >= 0.2 * size[0] * size[1]
     assert sum(one.width * one.height for one in found.values()) > 0.9 * size[0] * size[1]
     assert areas(Rect(0, 0, *size), slide, False, detail) == {"slide": Rect(0, 0, *size)}
+
+
+def test_what_cannot_be_presented_is_said(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(present, "has_display", lambda: False)
+    for words, code, sentence in (((), 1, "there is no display to present on"),
+                                  (("--theme", "drak"), 2, "there is no theme drak. Did you mean dark?"),
+                                  (("none.toml",), 2, "none.toml cannot be read"),
+                                  (("fresnel/schlik",), 2, "Did you mean fresnel/schlick"),
+                                  (("--slides", "none.pdf"), 2, "there is no deck none.pdf")):
+        assert cli.main(["present", *words]) == code
+        assert sentence in capsys.readouterr().err

@@ -45,7 +45,8 @@ class Lecturer:
         app, main = self.app, imgui.get_main_viewport()
         monitors = imgui.get_platform_io().monitors
         edge = max((one.main_pos.x + one.main_size.x for one in monitors), default=1e6) - SIZE[0]
-        at = ImVec2(max(min(main.pos.x + main.size.x + 20, edge), 0.0), main.pos.y)
+        beside = main.pos.x - SIZE[0] - 20 if main.pos.x > SIZE[0] / 2 else min(main.pos.x + main.size.x + 20, edge)
+        at = ImVec2(max(beside, 0.0), main.pos.y)
         if len(monitors) > 1:
             other = monitors[1]
             at = ImVec2(other.work_pos.x + 40, other.work_pos.y + 40)
