@@ -136,10 +136,20 @@ def command(*words: str) -> str:
     ("import app.meshes\napp.meshes.built_in('knot')", {"numpy"}),
     ("import app.gpu.stage", {"numpy", "moderngl"}),
     (command("render", "solid_angle/cone", "-o", "FILE.png", "--size", "128x96"), {"numpy", "moderngl", "PIL"}),
+    ("import app.study.command", {"numpy"}),
+    ("import app.grade.command", {"numpy"}),
+    ("import app.homework.check", {"numpy"}),
+    ("import app.stress.command", {"numpy", "moderngl"}),
+    ("import app.compare.command", {"numpy", "moderngl"}),
+    (command("stress", "f_schlick", "--json"), {"numpy", "moderngl", "rich"}),
+    (command("export", "solid_angle/cone", "--no-poster", "-o", "FOLDER"),
+     {"numpy", "moderngl", "PIL", "markdown_it", "rich"}),
 ], ids=["list", "list --json", "--version", "homework list", "inspect", "inspect a mesh", "eval", "session", "state",
-        "doctor, progress, search", "a built-in mesh", "the stage", "a still"])
+        "doctor, progress, search", "a built-in mesh", "the stage", "a still", "study", "grade",
+        "check", "stress", "compare", "stress of a function", "a page"])
 def test_a_job_loads_only_what_it_needs(tmp_path, code, allowed):
-    assert loaded(code.replace("FILE.png", str(tmp_path / "a.png"))) <= allowed
+    code = code.replace("FILE.png", str(tmp_path / "a.png")).replace("FOLDER", str(tmp_path / "pages"))
+    assert loaded(code) <= allowed
 
 
 # --- scenes bring along only what they use ---------------------------------------------------------------------------

@@ -79,6 +79,30 @@ def test_check_says_what_was_asked_what_is_wrong_and_what_it_looks_like(capsys, 
     assert "missing: there is no function f_dielectric" in " ".join(out.split())
 
 
+def test_a_vector_is_plotted_by_the_component_that_is_wrong():
+    text = "import numpy as np\ndef reflection_vector(n, l):\n    return l - 2 * np.sum(n * l, -1)[:, None] * n\n"
+    plot = next(one for one in findings(load("brdfs"), "python", text) if one.task.function == "reflection_vector").plot
+    assert " of the answer, by angle of l" in plot.label
+    assert np.allclose(plot.got, -plot.expected, atol=1e-12) and np.max(np.abs(plot.expected)) > 0.1
+
+
+@pytest.mark.parametrize(("line", "advice"), [
+    ("return math.cos(l_dot_h)", "use numpy's, np.cos for math.cos"),
+    ("return f0 if l_dot_h > 0 else 1", "use np.where"),
+    ("return list(f0)", "np.array(...) makes one"),
+])
+def test_a_beginners_error_comes_with_advice(line, advice):
+    text = f"import math\ndef f_schlick(l_dot_h, f0):\n    {line}\n"
+    found = findings(load("fresnel"), "python", text, plot=False)[0]
+    assert advice in found.said
+
+
+def test_a_missing_semicolon_is_looked_for_a_line_above():
+    text = "float f_schlick(float l_dot_h, float f0) {\n    float x = f0\n    return x;\n}\n"
+    said = findings(load("fresnel"), "glsl", text, plot=False)[0].said
+    assert "line 3" in said and "is one missing at the end of the line above?" in said
+
+
 def test_check_in_json(capsys, tmp_path):
     file = tmp_path / "mine.py"
     file.write_text(WRONG, "utf-8")

@@ -26,7 +26,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Sweep:
-    """Values along an axis; of a colour or a vector the length."""
+    """Values along an axis; of a colour or a vector the component that lies off farthest."""
 
     label: str
     at: np.ndarray
@@ -125,7 +125,13 @@ def plan(task: Task, name: str, args: dict, numbers, at, label: str, log: bool, 
 def plotted(given: Plan, values: np.ndarray) -> Sweep:
     with np.errstate(all="ignore"):
         right = np.asarray(given.task.reference(**given.question.args), float)
-    return Sweep(given.label, given.at, given.log, given.here, flat(right), flat(values))
+    label, i = given.label, 0
+    if right.ndim > 1:
+        with np.errstate(all="ignore"):
+            i = int(np.argmax(np.nanmax(np.where(np.isfinite(values), np.abs(values - right), -1.0), 0)))
+        label = f"{'xyzw'[i]} of the answer, by {label}"
+        right, values = right[:, i], values[:, i]
+    return Sweep(label, given.at, given.log, given.here, right, values)
 
 
 def flat(values: np.ndarray) -> np.ndarray:
