@@ -1,6 +1,7 @@
 """What every test has: one context for the session, a look at its error state after each test, no skips in CI."""
 
 import os
+from itertools import count
 
 import pytest
 
@@ -11,6 +12,18 @@ from app.gpu.context import context, of_thread
 def ctx():
     """The process's own OpenGL context without a window: one for the session, but for what a test window closed."""
     return context()
+
+
+@pytest.fixture(scope="session")
+def progress_folders(tmp_path_factory):
+    return tmp_path_factory.mktemp("progress"), count()
+
+
+@pytest.fixture(autouse=True)
+def own_progress(monkeypatch, progress_folders):
+    """Each test begins without a past, and leaves the person's own alone."""
+    folder, numbers = progress_folders
+    monkeypatch.setenv("HALFWAY_DATA", str(folder / str(next(numbers))))
 
 
 @pytest.fixture(autouse=True)

@@ -17,6 +17,12 @@ TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?(\d+)[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
 
 
+def compiled(ctx, source: str):
+    made = ctx.program(vertex_shader=source, varyings=("halfway_value", "halfway_steps"))
+    made["halfway_few"] = FEW
+    return made
+
+
 def program_text(text: str, call: dict) -> str:
     """Prologue, the student's text as source 1, our main as source 2: the compiler names lines by these numbers."""
     inputs = "".join(f"in {TYPES[width]} halfway_{i};\n" for i, width in enumerate(call["columns"]))
@@ -60,9 +66,7 @@ def main(order: dict) -> None:
         source = program_text(text, call)
         if source not in programs:
             try:
-                made = ctx.program(vertex_shader=source, varyings=("halfway_value", "halfway_steps"))
-                made["halfway_few"] = FEW
-                programs[source] = made
+                programs[source] = compiled(ctx, source)
             except moderngl.Error as error:
                 programs[source] = told(str(error), text.count("\n") + 1)
         program = programs[source]
