@@ -19,7 +19,7 @@ class Deck:
         try:
             self.document = pypdfium2.PdfDocument(path)
         except pypdfium2.PdfiumError as error:
-            raise Problem(f"{path} is no PDF that can be shown: {error}.") from None
+            raise Problem(f"{path} is no PDF that can be shown: {str(error).rstrip('.')}.") from None
         if not len(self.document):
             raise Problem(f"{path} has no pages.")
 

@@ -1018,8 +1018,9 @@ vec3 lit(vec3 n, vec3 v, int read) { // an irradiance of pi: white and matt is 1
 vec3 shade(Surface s) {
     vec3 n = normalize(s.value.xyz);
     if (dot(n, s.normal) < 0.0) n = -n;
-    if (shows == 1) return diverging(dot(lit(n, s.v, mapped) - lit(n, s.v, 2), vec3(2.0 / 3.0)));
-    vec3 light = lit(n, s.v, dot(s.position, aside()) < 1.4 * wipe ? mapped : 2);
+    vec3 ours = lit(n, s.v, mapped), theirs = lit(n, s.v, 2);
+    if (shows == 1) return diverging(dot(ours - theirs, vec3(2.0 / 3.0)));
+    vec3 light = dot(s.position, aside()) < 1.4 * wipe ? ours : theirs;
     return 1.0 - exp(-1.3 * light - 0.02 * COPPER); // a little even light
 }
 

@@ -46,6 +46,14 @@ def test_the_reference_has_all_points(name):
     assert result.suspects == () and all(test.verdict == "pass" and not test.message for test in result.tests)
 
 
+@every
+def test_the_reference_in_single_precision_has_all_points(name):
+    with np.errstate(all="ignore"):
+        single = [replace(one, values=one.values.astype(np.float32).astype(float)) for one in right(name)]
+    result = judged(name, single)
+    assert result.score == result.max, [test for test in result.tests if test.verdict != "pass"]
+
+
 def echo(question, last=False):
     same = [x for x in question.args.values() if x.shape == shape(question)]
     return same[-1 if last else 0] if same else np.zeros(shape(question))

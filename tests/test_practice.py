@@ -11,6 +11,7 @@ from app.practice import TABLE, Practice
 from app.problem import Problem
 from app.progress import Progress
 from app.session import Session
+from app.viewer.exercise_panel import drawn_in
 
 LAMBERT, BLINN = "brdfs/lambert", "brdfs/blinn_phong"
 EXERCISES = {f"{one.id}/{exercise.name}": exercise for one in chapters() for exercise in one.chapter.exercises}
@@ -75,6 +76,12 @@ def test_the_outline_says_which_steps_have_exercises():
     assert found["brdfs/lambert"] == (LAMBERT,) and found["brdfs/phong"] == ()
     assert {name for names in found.values() for name in names} == set(EXERCISES), "every exercise is in a step"
     assert of_step(step("brdfs/phong")).keys() == {LAMBERT, BLINN}, "and can be opened in all of its chapter"
+
+
+def test_a_step_that_draws_an_exercise_is_found():
+    session = Session("geometry_term/shadowing")
+    assert drawn_in("geometry_term/smith_ggx", session.steps) == "geometry_term/smith"
+    assert drawn_in("solid_angle/triangle", session.steps) == "", "no scene is made of it"
 
 
 # --- handed in -------------------------------------------------------------------------------------------------------

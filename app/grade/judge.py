@@ -137,6 +137,12 @@ class Sheet:
             return None, Reply(key, None, "runtime_error", said)
         return values, reply
 
+    def precision(self, values: np.ndarray) -> str:
+        """The language whose digits the answers have: Python's count as float32 where float32 holds every one."""
+        with np.errstate(all="ignore"):
+            single = np.array_equal(values, values.astype(np.float32), equal_nan=True)
+        return "glsl" if single and np.any(values) else self.language
+
     def of_points(self, part: str) -> list[Test]:
         task, key = self.task, f"{self.task.function}/{part}/{self.language}"
         if key not in self.asked:
@@ -148,7 +154,7 @@ class Sheet:
                                 one.count) for one in rows if one.kind == "region"] + [
                 self.absent(part, "property", one.name, self.worth(one.weight), reply) for one in task.properties]
         args = self.asked[key].args
-        known, cheap = MEMORY.known(task, args, self.language)
+        known, cheap = MEMORY.known(task, args, self.precision(values))
         right = agrees(known, values)
         asked = np.zeros(len(right), bool)
         for one in rows:
@@ -246,8 +252,9 @@ class Sheet:
         reply = self.first.get(key) or Reply(key, None, "ungraded")
         if reply.verdict or reply.values is None:
             return self.absent(part, "runtime", "speed", most, reply)
-        known, _ = MEMORY.known(task, self.asked[key].args, self.language)
-        agreement = float(np.mean(agrees(known, np.asarray(reply.values, float))))
+        values = np.asarray(reply.values, float)
+        known, _ = MEMORY.known(task, self.asked[key].args, self.precision(values))
+        agreement = float(np.mean(agrees(known, values)))
         limit = task.gross * max(self.times.get(key, np.inf), 1e-3)
         fast = reply.seconds <= limit
         message = "" if fast else f"it takes more than {task.gross:g} times as long as the solution."
@@ -269,7 +276,8 @@ class Sheet:
         if not parts:
             return []
         args = {name: np.concatenate([one[name] for one, _ in parts]) for name in self.task.arguments}
-        return misconceptions.suspects(self.task, self.language, args, np.concatenate([v for _, v in parts]))
+        values = np.concatenate([v for _, v in parts])
+        return misconceptions.suspects(self.task, self.precision(values), args, values)
 
 
 def tidy(x) -> float | list[float]:

@@ -31,35 +31,44 @@ class Rect:
         return Rect(self.x + (self.width - wide) / 2, self.y + (self.height - high) / 2, wide, high)
 
 
-def areas(room: Rect, slide: float, scene: bool, detail: int) -> dict[str, Rect]:
-    """`slide` is the page's aspect, 0 without one; `detail` 0: scene and plot alone, 1: with numbers, 2: with prose."""
+def areas(room: Rect, slide: float, scene: bool, detail: int, plot: bool = True) -> dict[str, Rect]:
+    """`slide` is the page's aspect, 0 without one; `detail` 0: scene and plot alone, 1: with numbers, 2: with prose.
+    Without `plot` the scene is alone."""
     if not scene:
         return {"slide": room}
     found: dict[str, Rect] = {}
+    if not plot:  # a question is on: what would tell the answer is away
+        return {"scene": room}
     if room.width < NARROW * room.height:
-        if slide:
-            found["slide"], room = room.split(min(room.width / slide / room.height, 0.36))
-        if detail == 2:
-            room, found["text"] = room.split(0.68)
-        found["scene"], room = room.split(0.6)
-        if detail:
-            found["plot"], found["numbers"] = room.cut(0.58)
-        else:
-            found["plot"] = room
-        return found
+        return stacked(room, slide, detail)
     if detail == 2:
         found["text"], room = room.cut(0.3)
     if slide:
         left, found["scene"] = room.cut(0.54)
         found["slide"], room = left.split(min(left.width / slide / left.height, 0.62))
         if detail:
-            found["plot"], found["numbers"] = room.cut(0.56)
+            found["plot"], found["numbers"] = room.cut(0.6)
         else:
             found["plot"] = room
         return found
     found["scene"], room = room.cut(0.6)
     if detail:
         found["plot"], found["numbers"] = room.split(0.64)
+    else:
+        found["plot"] = room
+    return found
+
+
+def stacked(room: Rect, slide: float, detail: int) -> dict[str, Rect]:
+    """Half a screen: on top of each other."""
+    found: dict[str, Rect] = {}
+    if slide:
+        found["slide"], room = room.split(min(room.width / slide / room.height, 0.36))
+    if detail == 2:
+        room, found["text"] = room.split(0.68)
+    found["scene"], room = room.split(0.6)
+    if detail:
+        found["plot"], found["numbers"] = room.cut(0.58)
     else:
         found["plot"] = room
     return found

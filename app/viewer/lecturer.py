@@ -9,7 +9,7 @@ from imgui_bundle import ImVec2, imgui
 from app.problem import Usage
 from app.viewer import style
 
-SIZE, LETTERS = (900.0, 640.0), 17.0  # px
+SIZE, LETTERS = (1000.0, 680.0), 19.0  # px
 LOOK_EVERY = 0.15  # seconds
 NAME = "Halfway: the lecturer's window###Lecturer"
 
@@ -44,7 +44,9 @@ class Lecturer:
     def draw(self) -> None:
         app, main = self.app, imgui.get_main_viewport()
         monitors = imgui.get_platform_io().monitors
-        at = ImVec2(main.pos.x + main.size.x + 20, main.pos.y)
+        edge = max((one.main_pos.x + one.main_size.x for one in monitors), default=1e6) - SIZE[0]
+        beside = main.pos.x - SIZE[0] - 20 if main.pos.x > SIZE[0] / 2 else min(main.pos.x + main.size.x + 20, edge)
+        at = ImVec2(max(beside, 0.0), main.pos.y)
         if len(monitors) > 1:
             other = monitors[1]
             at = ImVec2(other.work_pos.x + 40, other.work_pos.y + 40)
@@ -61,7 +63,7 @@ class Lecturer:
             self.clock()
             if imgui.begin_table("lecturer", 2, imgui.TableFlags_.sizing_stretch_prop):
                 imgui.table_setup_column("class", 0, 1.0)
-                imgui.table_setup_column("notes", 0, 1.15)
+                imgui.table_setup_column("notes", 0, 1.0)
                 imgui.table_next_row()
                 imgui.table_next_column()
                 self.view()
@@ -96,8 +98,8 @@ class Lecturer:
         wide = imgui.get_content_region_avail().x
         if self.texture is not None:
             high = wide * self.texture.height / self.texture.width
-            if high > 300:
-                wide, high = wide * 300 / high, 300
+            most = 0.5 * imgui.get_window_height()
+            wide, high = min(wide, wide * most / high), min(high, most)
             imgui.image(imgui.ImTextureRef(self.texture.glo), ImVec2(wide, high), uv0=ImVec2(0, 1), uv1=ImVec2(1, 0))
         app = self.app
         imgui.text_disabled("black" if app.talk.is_black else "what the class sees")
@@ -109,6 +111,7 @@ class Lecturer:
         imgui.push_font(None, 1.2 * LETTERS)
         imgui.text_wrapped(talk.title(talk.place))
         imgui.pop_font()
+        imgui.spacing()
         imgui.text_wrapped(talk.notes or "No notes for this page.")
 
     # --- hands -------------------------------------------------------------------------------------------------------
@@ -130,7 +133,8 @@ class Lecturer:
                 imgui.same_line()
                 imgui.text_wrapped(choice.text)
         else:
-            imgui.text_wrapped(f"Guesses in {hands.ask.unit or 'numbers'}, 0.5x4 for four hands:")
+            unit = f" ({hands.ask.unit})" if hands.ask.unit else ""
+            imgui.text_wrapped(f"The guesses{unit}; 0.5x4 for four hands:")
             imgui.set_next_item_width(-1)
             changed, self.typed = imgui.input_text("##guesses", self.typed)
             if changed:

@@ -167,9 +167,10 @@ class Presenter(Window):
         asked = self.talk.hands is not None
         band = round(min(self.band or 6 * unit, 0.6 * high)) if asked else 0
         page = self.talk.stop.page if self.deck else 0
-        aspect = self.deck.aspect(page) if self.deck and page else 0.0
+        aspect = self.deck.aspect(page) if self.deck and page and not asked else 0.0
         room = Rect(0, 0, wide, high - foot - band)
-        self.rects = areas(room, aspect, self.talk.has_scene, self.detail)
+        self.rects = areas(room, aspect, self.talk.has_scene, 0 if asked else self.detail,
+                           not asked or self.talk.is_told)
         draws = {"slide": self.slide_area, "scene": self.scene_area, "plot": self.plot_area,
                  "numbers": self.numbers_area, "text": self.text_column}
         for name, rect in self.rects.items():
@@ -252,18 +253,24 @@ class Presenter(Window):
         imgui.pop_style_color()
 
 
+def prepared(window: Presenter):
+    """What the toolkit is told: the window's own, and that there may be several."""
+    from app.viewer.parameters import parameters
+
+    params, add_ons = parameters(window)
+    params.imgui_window_params.enable_viewports = True
+    params.callbacks.before_swap = window.before_swap
+    return params, add_ons
+
+
 def run(window: Presenter) -> int:
     """Open it, with a window more for the lecturer."""
     from imgui_bundle import immapp
 
     from app import locale_alias
-    from app.viewer.parameters import parameters
 
     locale_alias.ensure()
-    params, add_ons = parameters(window)
-    params.app_window_params.window_title = "Halfway"
-    params.imgui_window_params.enable_viewports = True
-    params.callbacks.before_swap = window.before_swap
+    params, add_ons = prepared(window)
     if not glfw.has_display():
         glfw.without_display()
     glfw.without_depth()

@@ -61,11 +61,15 @@ def histogram(hands, truth: float, theme: Theme) -> None:
             top = foot - high * n / most
             draw.add_rect_filled(ImVec2(at.x + i * each + 2, top), ImVec2(at.x + (i + 1) * each - 2, foot),
                                  style.u32(colour("estimate", theme), 0.85), 2.0)
-            middle = at.x + (i + 0.5) * each - imgui.calc_text_size(str(n)).x / 2
-            draw.add_text(ImVec2(middle, top - 1.05 * unit), style.u32(rgb(theme.foreground)), str(n))
     draw.add_line(ImVec2(at.x, foot), ImVec2(at.x + wide, foot), style.u32(rgb(theme.quiet)), 1.5)
     x = at.x + wide * hands.along(truth)
     draw.add_line(ImVec2(x, at.y), ImVec2(x, foot), style.u32(colour("v", theme)), 0.16 * unit)
+    for i, (_, n) in enumerate(bars):
+        middle = at.x + (i + 0.5) * each - imgui.calc_text_size(str(n)).x / 2
+        if n:  # beside the line, should it pass through the bar
+            middle += 0.8 * unit if abs(x - at.x - (i + 0.5) * each) < 0.6 * unit else 0.0
+            at_top = ImVec2(middle, foot - high * n / most - 1.05 * unit)
+            draw.add_text(at_top, style.u32(rgb(theme.foreground)), str(n))
     ends = [quantity(end, hands.ask.unit) for end in (hands.ask.low, hands.ask.high)]
     draw.add_text(ImVec2(at.x, foot + 0.1 * unit), style.u32(rgb(theme.quiet)), ends[0])
     draw.add_text(ImVec2(at.x + wide - imgui.calc_text_size(ends[1]).x, foot + 0.1 * unit),

@@ -51,7 +51,8 @@ class ScenePanel:
             self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.texts(None))
         wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
-        rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
+        # between two keys nothing rests: each kind of picture compiles a typed text once more
+        rest = not (changed or self.is_fine or self.app.editor.typed_at or imgui.is_mouse_down(0))
         if changed or rest:
             # while something moves one sample a pixel; as soon as it rests edges are soft, and the faults are counted:
             # in a picture of their own, as soft edges of both take 16 bytes a pixel more

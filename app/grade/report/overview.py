@@ -79,9 +79,9 @@ class Overview:
         bars = "".join(
             f'<div class="{"all" if i == BINS else ""}"><p><b>{counts[i] or ""}</b>'
             f'<i style="height:{HIGHEST * counts[i] / top:.1f}%"></i></p>'
-            f'<span>{100 * i // BINS}{"" if i < BINS else " %"}</span></div>' for i in range(BINS + 1))
-        return (f'<div class="histogram">{bars}</div><p class="note">Share of the points, in steps of {100 // BINS} %; '
-                "the last bar has all of them.</p>")
+            f'<span>{100 * i // BINS}</span></div>' for i in range(BINS + 1))
+        return (f'<div class="histogram">{bars}</div><p class="note">Share of the points in %; the last bar has all of '
+                "them.</p>")
 
     def misconceptions(self) -> str:
         found = sorted(self.suspects.items(), key=lambda one: (-len(one[1]), one[0]))

@@ -61,6 +61,8 @@ def link(item: Item) -> str:
 
 
 def outline(items: list[Item]) -> str:
+    if len(items) < 2:
+        return ""
     rows = "".join(f'<a href="#{anchor(item)}"><code>{clean(item.function)}</code>'
                    f'<span>{points(item.total("score"))} of {points(item.total("max"))}</span>'
                    f'{bar(item.total("score") / max(item.total("max"), 1e-9))}</a>' for item in items)

@@ -30,7 +30,7 @@ class Page {
     this.handles();
     this.question();
     this.tabs();
-    this.set(location.search.slice(1));
+    this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
     this.listen();
     this.draw(); // before formulas are set: the picture is what one waits for
   }
