@@ -21,7 +21,7 @@ def test_a_talk_on_a_real_display(tmp_path, deck):  # noqa: F811
     kept.mkdir(exist_ok=True)
     command = [XVFB, "-a", "-s", "-screen 0 1920x1080x24 -noreset", sys.executable, "-m", "tests.real_talk", str(deck),
                str(kept)]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=200, check=False,
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, timeout=500, check=False,
                           env={**os.environ, "HALFWAY_DATA": str(tmp_path)})
     assert done.returncode == 0, done.stderr[-2000:]
     seen = json.loads(done.stdout.strip().splitlines()[-1])
