@@ -33,16 +33,22 @@ def chromium():
 def opened(browser, path: Path | str, size: tuple[int, int] = (480, 360), before: str = "", query: str = ""):
     """A tab with a page that has drawn; `before` is a script that runs first."""
     tab = browser.new_page(viewport={"width": size[0], "height": size[1]}, color_scheme="dark")
+    heard = listening(tab)
+    tab.add_init_script(before)
+    try:
+        if path != "about:blank":
+            tab.goto(Path(path).absolute().as_uri() + query)
+        yield tab, heard
+    finally:
+        tab.close()
+
+
+def listening(tab) -> Heard:
     heard = Heard()
     tab.on("console", lambda message: heard.said.append(f"{message.type}: {message.text}"))
     tab.on("pageerror", lambda error: heard.said.append(str(error)))
     tab.on("request", lambda request: heard.asked.append(request.url))
-    tab.add_init_script(before)
-    try:
-        tab.goto(Path(path).absolute().as_uri() + query)
-        yield tab, heard
-    finally:
-        tab.close()
+    return heard
 
 
 def settle(tab, after: int = 0) -> int:
