@@ -35,7 +35,7 @@ def winding(faces: np.ndarray) -> str:
 
 
 CREASE = 0.7  # faces whose normals' cosine is below this meet in an edge that is meant to be sharp
-AROUND = 64  # faces around a corner that are looked at
+AROUND = 256  # faces around a corner that are looked at
 
 
 def corner_normals(triangles: np.ndarray) -> np.ndarray:
@@ -51,9 +51,10 @@ def corner_normals(triangles: np.ndarray) -> np.ndarray:
     at, face = np.arange(len(order)) - start, order // 3
     total = flat[face]
     for step in range(1, min(int(count.max(initial=1)), AROUND)):
-        other = face[start + (at + step) % many]
-        near = (step < many) & (np.einsum("ij,ij->i", unit[face], unit[other]) > CREASE)
-        total = total + np.where(near[:, None], flat[other], 0)
+        some = np.flatnonzero(many > step)  # few corners have many faces
+        other = face[start[some] + (at[some] + step) % many[some]]
+        near = np.einsum("ij,ij->i", unit[face[some]], unit[other]) > CREASE
+        total[some] += np.where(near[:, None], flat[other], 0)
     length = np.linalg.norm(total, axis=-1, keepdims=True)
     found = np.empty((len(order), 3))
     found[order] = np.where(length > 0, total / np.where(length > 0, length, 1), unit[face])

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+PATIENCE = 120_000  # ms: a busy machine compiles slowly
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 
@@ -33,19 +34,26 @@ def chromium():
 def opened(browser, path: Path | str, size: tuple[int, int] = (480, 360), before: str = "", query: str = ""):
     """A tab with a page that has drawn; `before` is a script that runs first."""
     tab = browser.new_page(viewport={"width": size[0], "height": size[1]}, color_scheme="dark")
-    heard = Heard()
-    tab.on("console", lambda message: heard.said.append(f"{message.type}: {message.text}"))
-    tab.on("pageerror", lambda error: heard.said.append(str(error)))
-    tab.on("request", lambda request: heard.asked.append(request.url))
+    tab.set_default_timeout(PATIENCE)
+    heard = listening(tab)
     tab.add_init_script(before)
     try:
-        tab.goto(Path(path).absolute().as_uri() + query)
+        if path != "about:blank":
+            tab.goto(Path(path).absolute().as_uri() + query)
         yield tab, heard
     finally:
         tab.close()
 
 
+def listening(tab) -> Heard:
+    heard = Heard()
+    tab.on("console", lambda message: heard.said.append(f"{message.type}: {message.text}"))
+    tab.on("pageerror", lambda error: heard.said.append(str(error)))
+    tab.on("request", lambda request: heard.asked.append(request.url))
+    return heard
+
+
 def settle(tab, after: int = 0) -> int:
     """Wait until the page has drawn and counted anew; how often it has."""
-    tab.wait_for_function("n => +document.documentElement.dataset.drawn > n", arg=after, timeout=30_000)
+    tab.wait_for_function("n => +document.documentElement.dataset.drawn > n", arg=after)
     return int(tab.evaluate("document.documentElement.dataset.drawn"))

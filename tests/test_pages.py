@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app import meshes
 from app.catalog import step, steps
 from app.export.still import data
 from app.export.web import math
@@ -22,6 +23,7 @@ from app.export.web.page import file_of
 from app.gpu.evaluate import evaluate
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.mesh_edges import corner_normals
 from app.problem import Usage
 from app.state import View, defaults, parse, write
 from app.terms import bound
@@ -35,11 +37,10 @@ PATCH = "solid_angle/patch"
 LARGEST, ZIPPED = 900_000, 420_000  # bytes of a page
 SMALL = (160, 120)
 STRAY = 5  # pixels of 19200 at the very ends of lines and dots
-UNLIKE = {"brdfs/blinn": 60,  # its skyline is fract(sin(x) 43758), and WebGL promises sin to 1/2048
-          "geometry_term/with_without": 120}  # its dark backdrop ends between two rows of pixels
 SEE = f"""() => {{
     const page = window.halfway, gl = page.gpu.gl;
     page.canvas.style.cssText = "width: {SMALL[0]}px; height: {SMALL[1]}px; min-height: 0";
+    page.heavy = false; // all its pixels, however busy the machine is
     page.picture(false);
     const pixels = new Uint8Array({4 * SMALL[0] * SMALL[1]});
     gl.readPixels(0, 0, {SMALL[0]}, {SMALL[1]}, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -50,17 +51,19 @@ MOVE = """() => {
     const moved = {picture: false, numbers: false}, page = window.halfway, see = """ + SEE + """;
     const told = () => { page.tell(); return document.getElementById("numbers").textContent; };
     const before = [see(), told()];
+    const look = () => {
+        moved.picture ||= see() !== before[0];
+        moved.numbers ||= told() !== before[1];
+        return moved.picture && moved.numbers;
+    };
     for (const slider of document.querySelectorAll(".rows input[type=range]")) {
         slider.value = +slider.value > 0.5 ? +slider.value - 0.31 : +slider.value + 0.31;
         slider.dispatchEvent(new Event("input"));
-        moved.picture ||= see() !== before[0];
-        moved.numbers ||= told() !== before[1];
+        if (look()) return moved;
     }
     for (const radio of document.querySelectorAll(".rows input[type=radio]:not(:checked)")) {
-        if (moved.numbers && moved.picture) break;
         radio.click();
-        moved.picture ||= see() !== before[0];
-        moved.numbers ||= told() !== before[1];
+        if (look()) return moved;
     }
     return moved;
 }"""
@@ -77,6 +80,13 @@ FONTS = """() => {
 def browser():
     assert CHROMIUM, "CI must have Chromium"
     with chromium() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def visitor(browser):
+    """A small tab that goes from page to page."""
+    with opened(browser, "about:blank", (260, 200)) as found:
         yield found
 
 
@@ -115,16 +125,19 @@ def desktop(found, values: dict, ctx) -> tuple[np.ndarray, np.ndarray]:
 
 
 @pytest.mark.parametrize("found", steps(), ids=lambda found: found.id)
-def test_a_page_is_the_step(found, folder, browser, ctx):
+def test_a_page_is_the_step(found, folder, visitor, ctx):
     """It loads without a word and without a request, within its size; its picture and numbers are the desktop's; a
     slider moves both; its formulas have their fonts."""
     path = folder / file_of(found.id)
     raw = path.read_bytes()
     assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
-    with opened(browser, path) as (tab, heard):
-        settle(tab)
-        seen, told = pixels(tab.evaluate(SEE)), tab.evaluate("halfway.report('state')")
-        moved, fonts = tab.evaluate(MOVE), tab.evaluate(FONTS)
+    tab, heard = visitor
+    heard.said.clear()
+    heard.asked.clear()
+    tab.goto(path.absolute().as_uri())
+    settle(tab)
+    seen, told = pixels(tab.evaluate(SEE)), tab.evaluate("halfway.report('state')")
+    moved, fonts = tab.evaluate(MOVE), tab.evaluate(FONTS)
     assert heard.said == [] and heard.asked == [path.absolute().as_uri()]
     assert moved == {"picture": True, "numbers": True}
     assert fonts["missing"] == [] and fonts["wrong"] == 0
@@ -136,7 +149,7 @@ def test_a_page_is_the_step(found, folder, browser, ctx):
     theirs, calm = desktop(found, values, ctx)
     assert calm.mean() > 0.4
     off = np.abs(seen - theirs).max(-1)[calm]
-    assert np.count_nonzero(off > 2) <= UNLIKE.get(found.id, STRAY)
+    assert np.count_nonzero(off > 2) <= STRAY
 
 
 def same_number(term, values: dict, got: float, ctx) -> None:
@@ -156,11 +169,21 @@ def same_number(term, values: dict, got: float, ctx) -> None:
 
 
 # --- one page, closely -----------------------------------------------------------------------------------------------
+@pytest.fixture(scope="module")
+def patched(folder, browser):
+    with opened(browser, folder / file_of(PATCH), (960, 600)) as found:
+        settle(found[0])
+        yield found
+
+
 @pytest.fixture
-def patch(folder, browser):
-    with opened(browser, folder / file_of(PATCH), (1280, 720)) as (tab, heard):
-        settle(tab)
-        yield tab
+def patch(patched):
+    """The page as it is at first."""
+    tab, heard = patched
+    tab.evaluate("halfway.restyle('dark')")
+    tab.locator("#reset").click()
+    settle(tab, settle(tab) - 1)
+    yield tab
     assert heard.said == []
 
 
@@ -227,6 +250,47 @@ def test_the_address_is_the_state(folder, browser):
         assert again.values["distance"] == 2.5 and again.view == View(-20, 40, 6)
 
 
+def test_broken_and_mended(folder, browser):
+    """The naive form, at the values where it fails, in picture and numbers; and back."""
+    found = step("solid_angle/cone")
+    with opened(browser, folder / file_of(found.id)) as (tab, heard):
+        settle(tab)
+        label = next(one.label for one in found.step.readouts if one.term.function == "solid_angle_cone"
+                     and one.role != "exact")
+        tab.locator(".break input").check()
+        tab.wait_for_function("() => halfway.state().includes('half_angle=0.01')")
+        broken = number(tab, label)
+        assert found.step.breaks[0].told in tab.locator("#broken").inner_text()
+        tab.locator(".break input").uncheck()
+        mended = number(tab, label)
+        assert broken != mended and mended == pytest.approx(np.pi * np.radians(0.01) ** 2, rel=1e-6)
+    assert heard.said == []
+
+
+def test_faulty_pixels_are_counted(folder, browser):
+    """A radiance below 0 everywhere: the page says how many pixels have it."""
+    with opened(browser, folder / file_of("solid_angle/cone")) as (tab, _):
+        settle(tab)
+        assert tab.locator("#faults").inner_text() == ""
+        tab.evaluate("""() => {
+            for (const pair of Object.values(halfway.content.scene.programs))
+                if (pair[1]) pair[1] = pair[1].replace("vec3 radiance = shade(s);", "vec3 radiance = vec3(-1.0);");
+            halfway.stage.begin();
+            clearTimeout(halfway.resting);
+            halfway.rest();
+        }""")
+        assert re.fullmatch(r"[1-9]\d* pixels negative", tab.locator("#faults").inner_text())
+
+
+def test_meshes_are_the_desktops(folder, browser):
+    with opened(browser, folder / file_of("plausible_shading/second_opinion")) as (tab, _):
+        for name in meshes.BUILT_IN:
+            told = tab.evaluate("name => Object.values(mesh(name)).map(one => [...one.triangles])", name)
+            triangles = meshes.built_in(name).triangles
+            np.testing.assert_allclose(told[0], triangles.ravel(), rtol=0, atol=1e-7)
+            np.testing.assert_allclose(told[1], corner_normals(triangles).ravel(), rtol=0, atol=1e-6)
+
+
 def test_a_lost_context_comes_back(patch):
     before = patch.evaluate(SEE)
     patch.evaluate("""() => { window.lose = halfway.gpu.gl.getExtension("WEBGL_lose_context"); lose.loseContext(); }""")
@@ -252,7 +316,7 @@ def test_without_webgl_it_is_a_still(tmp_path, browser):
 FRAME = """<!DOCTYPE html><title>deck</title><button id="deck">deck</button>
 <iframe sandbox="allow-scripts" src="{page}?tilt=10#scene" width="800" height="600"></iframe>
 <script>const heard = []; addEventListener("message", event => heard.push(event.data));
-const frame = document.querySelector("iframe");
+let frame = document.querySelector("iframe");
 const say = data => frame.contentWindow.postMessage(data, "*");</script>"""
 
 
@@ -276,6 +340,20 @@ def test_a_sandboxed_frame_listens_and_gives_the_keys_back(folder, browser):
         tab.keyboard.press("Escape")
         tab.wait_for_function("heard.some(one => one.halfway === 'escape')")
         tab.wait_for_function("document.activeElement.tagName !== 'IFRAME'")
+    assert heard.said == []
+
+
+def test_a_deck_that_loads_and_unloads_its_slides(folder, browser):
+    """As reveal.js does: a frame's src comes when its slide is shown and goes with it, oftener than contexts live."""
+    deck = folder / "deck.html"
+    deck.write_text(FRAME.format(page=file_of("solid_angle/cone")), encoding="utf-8")
+    with opened(browser, deck, (300, 240)) as (tab, heard):
+        for i in range(1, 19):
+            tab.wait_for_function("n => heard.filter(one => one.halfway === 'ready').length === n", arg=i)
+            tab.evaluate("() => { const next = frame.cloneNode(); frame.replaceWith(next); frame = next; }")
+        tab.wait_for_function("heard.filter(one => one.halfway === 'ready').length === 19")
+        tab.evaluate("say({halfway: 'set', state: 'half_angle=30'}); say({halfway: 'get'})")
+        tab.wait_for_function("heard.some(one => one.halfway === 'state' && one.state.includes('half_angle=30'))")
     assert heard.said == []
 
 
@@ -350,12 +428,11 @@ def test_an_index_of_many_steps_loses_no_context(folder, browser):
             tab.evaluate("i => document.querySelectorAll('article')[i].scrollIntoView({block: 'center'})", i)
             tab.wait_for_function("() => document.querySelectorAll('iframe.ready').length > 0")
             most = max(most, tab.evaluate("document.querySelectorAll('iframe').length"))
-        lost = [frame.evaluate("() => Boolean(window.halfway && halfway.gpu.lost)") for frame in tab.frames[1:]]
-        assert 0 < most <= 4 and not any(lost)
+        assert 0 < most <= 4
         tab.locator("#search").fill("fresnel angle")
         shown = tab.evaluate("[...document.querySelectorAll('article:not([hidden])')].map(one => one.id)")
         assert "card-fresnel-angle" in shown and len(shown) < 20
-    assert heard.said == []
+    assert heard.said == []  # "Too many active WebGL contexts" would be
 
 
 def test_the_command(tmp_path, capsys):

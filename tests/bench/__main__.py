@@ -75,6 +75,12 @@ def window():
     return measure()
 
 
+def pages():
+    from tests.bench.pages import pages as measure
+
+    return measure()
+
+
 def grading():
     from tests.bench.grading import grading as measure
 
@@ -88,7 +94,8 @@ def board():
 
 
 GROUPS = {measure.__name__: measure
-          for measure in (commands, frames, plots, window, board, points, badges, digits, studies, grading)}
+          for measure in (commands, frames, plots, window, board, pages, points, badges, digits,
+                         studies, grading)}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -6,6 +6,7 @@ import numpy as np
 
 from app import tables
 from app.badges import SHORT, of_model, told
+from app.breaking import broken, values_of
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.figures import plot
 from app.export.web.texts import Data, Twins, packed, scene
@@ -35,7 +36,17 @@ def content(found: LoadedStep) -> Data:
         "badges": [badges(model, defaults(found)) for model in step.models],
         "themes": {name: themed(theme) for name, theme in THEMES.items()},
     }
+    data["breaks"] = [breakage(found, i, twins) for i in range(len(step.breaks))]
     return data | {"twins": twins.found} | constants(found)
+
+
+def breakage(found: LoadedStep, which: int, twins: Twins) -> Data:
+    """The step with naive forms in the place of stable ones, and the values at which that shows."""
+    one, changed = found.step.breaks[which], broken(found, which)
+    return {"label": one.label, "told": one.told, "sets": values_of(found, one),
+            "scene": scene(changed.step.scene, found.file_name, found.glsl_line),
+            "readouts": [readout(one, twins) for one in changed.step.readouts],
+            "plots": [plot(one, changed, twins) for one in changed.step.plots]}
 
 
 def readout(one: Readout, twins: Twins) -> Data:

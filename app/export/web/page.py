@@ -11,6 +11,7 @@ from app.catalog import LoadedStep
 from app.export.markup import anchor, html
 from app.export.web import math
 from app.export.web.texts import Data, shared
+from app.lesson import Step
 
 PLAYER = Path(__file__).with_name("player")
 CORE = ("gpu.js", "stage.js", "words.js", "plots.js")  # then what draws the kinds of plots a step has, then the page
@@ -92,7 +93,10 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <p class="lost-note">The picture was lost by the graphics driver and will be drawn again.</p>
 <p class="still-note">This browser draws no WebGL2, so the picture stands still here.</p>
 </div>
-<div class="bar"><button id="reset" type="button">Reset</button><button id="theme" type="button">Theme</button></div>
+<p id="faults" role="alert"></p>
+<div class="bar">{breaks(content)}<button id="copy" type="button">Copy link</button>
+<button id="reset" type="button">Reset</button><button id="theme" type="button">Theme</button></div>
+<p id="broken" class="about" role="status"></p>
 <div id="few" class="rows"></div><details id="more" class="rows"{more}><summary>more</summary></details>
 </section>
 <section class="side" aria-label="Numbers">
@@ -106,7 +110,7 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <details><summary>For the lecturer</summary>{notes}</details>
 <p class="about"><b>Slides</b> {escape("; ".join(step.slides))}</p>
 <p class="about"><b>Sources</b> {escape("; ".join(step.sources))}</p>
-<p class="about"><b>Honesty</b> {escape(step.honesty)} Numbers in this page are computed in float32.</p>
+<p class="about"><b>Honesty</b> {escape(step.honesty)} {escape(honesty(step))}</p>
 </article>
 </main>
 <p id="said" class="unseen" role="status"></p>
@@ -116,6 +120,18 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 </body>
 </html>
 """
+
+
+def honesty(step: Step) -> str:
+    """What a page does otherwise than the desktop."""
+    out = " and ".join(one.label for one in step.leave_outs)
+    kept = f"The desktop leaves out {out} where that changes next to nothing; this page always computes them. "
+    return kept * bool(out) + "Numbers in this page are computed in float32."
+
+
+def breaks(content: Data) -> str:
+    return "".join(f'<label class="break"><input type="checkbox" value="{i}"> break it: {escape(one["label"])}</label>'
+                   for i, one in enumerate(content["breaks"]))
 
 
 def link(target: str) -> str:

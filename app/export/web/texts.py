@@ -54,10 +54,13 @@ def shared(content: Data) -> Data:
     def scene_of(one: Data) -> Data:
         return one | {"programs": {name: [numbered(text) for text in pair] for name, pair in one["programs"].items()}}
 
-    plots = [plot | ({"scene": scene_of(plot["scene"])} if "scene" in plot else {}) for plot in content["plots"]]
+    def step_of(one: Data) -> Data:
+        plots = [plot | ({"scene": scene_of(plot["scene"])} if "scene" in plot else {}) for plot in one["plots"]]
+        return one | {"scene": scene_of(one["scene"]), "plots": plots}
+
     twins = {name: twin | {"text": numbered(twin["text"])} for name, twin in content["twins"].items()}
-    found = {"scene": scene_of(content["scene"]), "plots": plots, "twins": twins}
-    return content | found | {"glsl": list(known)}
+    found = step_of(content) | {"twins": twins, "breaks": [step_of(one) for one in content["breaks"]]}
+    return found | {"glsl": list(known)}
 
 
 def declarations(text: str) -> list[str]:

@@ -16,7 +16,7 @@ class Gpu {
     this.programs = new Map();
     this.textures = new Map();
     this.points = null;
-    this.soft = null;
+    this.targets = {};
   }
 
   get lost() { return this.gl.isContextLost(); }
@@ -104,31 +104,48 @@ class Gpu {
 
   // Draw into the canvas, through a picture of four samples a pixel when `fine`; the drawing is `paint`.
   into(fine, paint) {
-    const gl = this.gl, wide = gl.drawingBufferWidth, high = gl.drawingBufferHeight;
-    if (fine && (!this.soft || this.soft.wide !== wide || this.soft.high !== high)) this.soft = this.softTarget(wide, high);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, fine ? this.soft.frame : null);
-    gl.viewport(0, 0, wide, high);
+    const gl = this.gl, size = [0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight];
+    gl.bindFramebuffer(gl.FRAMEBUFFER, fine ? this.target(4, 1) : null);
+    gl.viewport(...size);
     paint();
     if (fine) {
-      gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.soft.frame);
       gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-      gl.blitFramebuffer(0, 0, wide, high, 0, 0, wide, high, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+      gl.blitFramebuffer(...size, ...size, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     }
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
-  softTarget(wide, high) {
-    const gl = this.gl, {frame = gl.createFramebuffer(), parts = []} = this.soft || {};
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    for (const part of parts) gl.deleteRenderbuffer(part);
-    const made = [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]].map(([format, where]) => {
+  // How many pixels are not a number, infinite, negative: every program of pixels writes that beside the colour.
+  faults(paint) {
+    const gl = this.gl, wide = gl.drawingBufferWidth, high = gl.drawingBufferHeight, seen = new Uint8Array(4 * wide * high), found = [0, 0, 0];
+    this.target(0, 2);
+    gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
+    gl.viewport(0, 0, wide, high);
+    paint();
+    gl.readBuffer(gl.COLOR_ATTACHMENT1);
+    gl.readPixels(0, 0, wide, high, gl.RGBA, gl.UNSIGNED_BYTE, seen);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    seen.forEach((x, i) => { if (x && i % 4 < 3) found[i % 4]++; });
+    return found;
+  }
+
+  // Bind a picture of our own, as large as the canvas: with some samples a pixel, and so many colours.
+  target(samples, colours) {
+    const gl = this.gl, wide = gl.drawingBufferWidth, high = gl.drawingBufferHeight, key = `${samples} ${colours}`, size = `${wide} ${high}`;
+    const kept = this.targets[key] ||= {frame: gl.createFramebuffer(), parts: []};
+    gl.bindFramebuffer(gl.FRAMEBUFFER, kept.frame);
+    if (kept.size === size) return kept.frame;
+    for (const part of kept.parts) gl.deleteRenderbuffer(part);
+    const wanted = [[gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT], [gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.RGBA8, gl.COLOR_ATTACHMENT1]];
+    kept.parts = wanted.slice(0, 1 + colours).map(([format, where]) => {
       const part = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, part);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, 4, format, wide, high);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, wide, high);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, where, gl.RENDERBUFFER, part);
       return part;
     });
-    return {frame, parts: made, wide, high};
+    kept.size = size;
+    return kept.frame;
   }
 
   // The float32 numbers that points of programs without pixels give: tasks are {program, uniforms, inputs, count, width}.

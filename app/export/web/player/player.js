@@ -24,15 +24,17 @@ class Page {
     this.gpu = new Gpu(this.canvas);
     this.stage = new Stage(this.gpu, content.scene, values => this.data(values));
     this.twins = new Twins(this.gpu, content.twins, values => this.data(values));
-    this.guard(this.canvas, this.gpu, [this.stage]);
+    this.guard(this.canvas, this.gpu, () => this.stage);
     this.turning(this.canvas, () => this.camera, camera => { this.camera = camera; });
     this.controls();
     this.handles();
     this.question();
     this.tabs();
+    this.breaking();
     this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
     this.listen();
-    this.draw(); // before formulas are set: the picture is what one waits for
+    this.draw();
+    if (parent !== window) parent.postMessage({halfway: "ready", step: content.step}, "*");
   }
 
   defaults() { return Object.fromEntries(this.content.values.map(({name, default: value}) => [name, value])); }
@@ -46,16 +48,19 @@ class Page {
   }
 
   // --- drawing ---------------------------------------------------------------------------------------------------------
-  fit(canvas) {
-    const scale = Math.min(devicePixelRatio || 1, 2), wide = Math.round(canvas.clientWidth * scale), high = Math.round(canvas.clientHeight * scale);
+  fit(canvas, share = 1) {
+    const scale = share * Math.min(devicePixelRatio || 1, 2), wide = Math.round(canvas.clientWidth * scale), high = Math.round(canvas.clientHeight * scale);
     if (wide && high && (canvas.width !== wide || canvas.height !== high)) Object.assign(canvas, {width: wide, height: high});
     return scale;
   }
 
+  // Words first: their answer waits for what was drawn before. Where that is long, a moving picture has half the rows.
   picture(fine) {
-    const scale = this.fit(this.canvas);
+    const scale = this.fit(this.canvas, fine || !this.heavy ? 1 : 0.5), start = performance.now();
     this.stage.aim(this.camera);
-    this.name($("words"), this.canvas, this.stage, this.values); // first: an answer waits for what was drawn before
+    this.name($("words"), this.canvas, this.stage, this.values);
+    this.late = performance.now() - start > 50 ? (this.late || 0) + 1 : 0;
+    this.heavy ||= this.late > 3;
     this.stage.draw(this.values, this.theme, fine, Math.max(1, scale * 0.8));
   }
 
@@ -74,20 +79,25 @@ class Page {
       this.plotted(false);
       this.resting = setTimeout(() => this.rest(), 250);
       document.documentElement.dataset.drawn = this.frames = (this.frames || 0) + 1;
-    });
+      if (this.frames === 1) setTimeout(typeset);
+    }, this.frames ? 0 : 50); // the first picture is seen before the programs of numbers are compiled
   }
 
   rest() {
     if (this.gpu.lost || this.waiting || this.after) return;
     this.picture(true);
+    const found = this.stage.faults(this.values).map((count, i) => count ? `${count} pixels ${["not a number", "infinite", "negative"][i]}` : "");
+    $("faults").textContent = found.filter(Boolean).join(", ");
     if (this.content.plots[this.shown].kind === "space") this.plotted(true);
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
-    try { history.replaceState(null, "", `${location.pathname}${state ? "?" : ""}${state}${location.hash}`); } catch { /* a frame without an address */ }
+    try { history.replaceState(null, "", this.link()); } catch { /* a frame without an address */ }
     $("said").textContent = this.numbers.map(({label, text}) => `${label} ${text}`).join(", "); // for screen readers, at rest
     if (parent !== window) parent.postMessage(this.report("state"), "*");
   }
+
+  link() { return `${location.pathname}${this.state().replace(/^(?=.)/, "?")}${location.hash}`; }
 
   // Words and handles at their points, inside the picture.
   name(box, canvas, stage, values) {
@@ -302,6 +312,21 @@ class Page {
     });
   }
 
+  // Naive forms in the place of stable ones, at the values where that shows; unchecked, the stable ones again.
+  breaking() {
+    const {scene, readouts, plots, breaks} = this.content, whole = {scene, readouts, plots, sets: {}, told: ""};
+    const boxes = [...document.querySelectorAll(".break input")];
+    for (const box of boxes) box.addEventListener("change", () => {
+      for (const other of boxes) other.checked &&= other === box;
+      const one = box.checked ? breaks[box.value] : whole;
+      Object.assign(this.content, {scene: one.scene, readouts: one.readouts, plots: one.plots});
+      this.stage = new Stage(this.gpu, one.scene, values => this.data(values));
+      this.plots = this.plots.map((made, i) => one.plots[i].kind === "curves" ? null : made);
+      $("broken").textContent = one.told;
+      this.change(one.sets);
+    });
+  }
+
   // --- theme, address, messages ------------------------------------------------------------------------------------------
   restyle(name) {
     this.themeName = name;
@@ -311,6 +336,7 @@ class Page {
   }
 
   report(kind) {
+    this.tell();
     const read = Object.fromEntries(this.numbers.map(({label, value}) => [label, value]));
     return {halfway: kind, step: this.content.step, state: this.state(), values: {...this.values}, numbers: read};
   }
@@ -320,13 +346,13 @@ class Page {
     return this.canvas.toDataURL("image/png");
   }
 
-  guard(canvas, gpu, stages) {
+  guard(canvas, gpu, stage) {
     canvas.addEventListener("webglcontextlost", event => {
       event.preventDefault();
       $("scene").classList.add("lost");
     });
     canvas.addEventListener("webglcontextrestored", () => {
-      for (const one of [gpu, ...stages]) one.begin();
+      for (const one of [gpu, stage()]) one.begin();
       $("scene").classList.remove("lost");
       this.schedule();
     });
@@ -336,6 +362,8 @@ class Page {
     new ResizeObserver(() => this.schedule()).observe(this.canvas);
     new ResizeObserver(() => this.schedule()).observe($("plot"));
     $("reset").addEventListener("click", () => { this.camera = {...this.content.scene.camera}; this.change(this.defaults()); });
+    $("copy").addEventListener("click", () => (navigator.clipboard ? navigator.clipboard.writeText(new URL(this.link(), location).href) : Promise.reject())
+      .then(() => { $("copy").textContent = "Copied"; }, () => { $("copy").textContent = this.state() || "first values"; })); // a sandbox has no clipboard
     $("theme").addEventListener("click", () => {
       this.restyle({dark: "light", light: "projector", projector: "dark"}[this.themeName]);
       this.schedule();
@@ -359,7 +387,6 @@ class Page {
       else if (asked === "get") answer(this.report("state"));
       else if (asked === "snapshot") answer({halfway: "snapshot", step: this.content.step, state: this.state(), png: this.snapshot()});
     });
-    if (parent !== window) parent.postMessage({halfway: "ready", step: this.content.step}, "*");
   }
 }
 
@@ -394,12 +421,14 @@ function typeset() {
 }
 
 function begin() {
-  addEventListener("load", () => setTimeout(typeset));
   const content = JSON.parse($("content").textContent), whole = parts => parts.map(i => content.glsl[i]).join("");
-  for (const {programs} of [content, ...content.plots].flatMap(({scene}) => scene || []))
+  for (const {programs} of [content, ...content.breaks].flatMap(one => [one, ...one.plots]).flatMap(({scene}) => scene || []))
     for (const name in programs) programs[name] = programs[name].map(whole);
   for (const name in content.twins) content.twins[name].text = whole(content.twins[name].text);
   if ($("picture").getContext("webgl2", HOW)) window.halfway = new Page(content);
-  else document.documentElement.classList.add("still-only");
+  else {
+    document.documentElement.classList.add("still-only");
+    typeset();
+  }
 }
 begin();

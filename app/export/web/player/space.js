@@ -7,7 +7,7 @@ class SpacePlot {
     this.words = element("div", {class: "words"});
     this.data = values => page.data(values);
     this.stage = new Stage(this.gpu, plot.scene, this.data);
-    page.guard(canvas, this.gpu, [this.stage]);
+    page.guard(canvas, this.gpu, () => this.stage);
     if (plot.what !== "slice") page.turning(canvas, () => this.camera, camera => { this.camera = camera; });
     if (plot.lobes) this.models = new Models(plot.lobes, plot.over || "v", page.twins);
   }

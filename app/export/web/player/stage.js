@@ -91,6 +91,12 @@ class Stage {
     this.gpu.into(fine, () => this.paint(values));
   }
 
+  // Of the last picture, as it was drawn: pixels that are not a number, infinite, negative.
+  faults(values) {
+    this.gpu.gl.clearColor(0, 0, 0, 0);
+    return this.gpu.faults(() => this.paint(values));
+  }
+
   // Opaque surfaces, then dots and marks, then what one looks through.
   paint(values) {
     const gl = this.gpu.gl, {surfaces, marks, dots} = this.scene;
