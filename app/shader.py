@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -150,14 +151,10 @@ def lines_of(source: Source) -> tuple[Line | Include, ...]:
 def blocks_of(source: Source) -> tuple[Block | Include, ...]:
     """Includes stand between declarations."""
     found: list[Block | Include] = []
-    run: list[Line] = []
-    for part in lines_of(source):
-        if isinstance(part, Include):
-            found += [*(blocks(run) if run else ()), part]
-            run = []
-        else:
-            run.append(part)
-    return (*found, *(blocks(run) if run else ()))
+    for included, group in groupby(lines_of(source), lambda part: isinstance(part, Include)):
+        run = list(group)
+        found += run if included else blocks(run)  # type: ignore[arg-type]
+    return tuple(found)
 
 
 def blocks(lines: list[Line]) -> list[Block]:

@@ -857,6 +857,7 @@ mirrors round spots, Blinn draws streaks. Every photo of a wet road at night has
     scene=Scene(
         glsl="""
 #include "optics/blinn_phong.glsl"
+#include "core/chance.glsl"
 #include "display/palette.glsl"
 uniform float theta_v, exponent;
 
@@ -879,15 +880,13 @@ vec4 surface_value(int surface, vec2 s) { // height of the eye, exponent, exposu
     return vec4(high, surface == 1 ? exponent : tight, exposure, tan(0.5 * PI - theta_v - 0.06));
 }
 
-float random(float x) { return fract(sin(x * 12.9898) * 43758.547); }
-
 vec3 city(vec3 d) {
     float a = 26.0 * abs(d.x) / d.y + 3.0, up = 26.0 * d.z / d.y, block = floor(a);
-    float roof = 0.35 + 1.7 * random(block) * random(block + 7.0);
+    float roof = 0.35 + 1.7 * chance(int(block), 0) * chance(int(block), 1);
     vec3 night = mix(vec3(0.045, 0.05, 0.085), vec3(0.006, 0.008, 0.02), smoothstep(0.0, 4.0, up));
     if (up > roof) return night;
     vec2 pane = vec2(fract(a) * 6.0, up * 8.0);
-    bool lit = random(floor(pane.x) + 9.0 * floor(pane.y) + 31.0 * block) > 0.72 && up > 0.12;
+    bool lit = chance(128 * int(block) + 6 * int(pane.y) + int(pane.x), 2) > 0.72 && up > 0.12;
     vec2 at = abs(fract(pane) - 0.5);
     return lit && max(at.x, at.y) < 0.3 ? vec3(0.50, 0.36, 0.17) : vec3(0.010, 0.011, 0.016);
 }

@@ -601,7 +601,7 @@ vec3 centre(int ball) {
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface < 4) return cap_to_eye(s, centre(surface), surface == 0 ? SIZE : SMALL);
-    return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + (0.9 + 1.95 * (2.0 * s.y - 1.0)) * up();
+    return -2.0 * eye() + 2.75 * (2.0 * s.x - 1.0) * aside() + (0.9 + 1.97 * (2.0 * s.y - 1.0)) * up();
 }
 
 vec3 shade(Surface s) {

@@ -248,7 +248,7 @@ class Stage:
         if not surface.mesh or surface.opacity < 1:
             array.render()
             return
-        self.ctx.enable(moderngl.CULL_FACE)  # its far side behind its near one: then depth leaves it uncoloured
+        self.ctx.enable(moderngl.CULL_FACE)  # a mesh's far side behind its near one: depth leaves it uncoloured
         for away in ("back", "front"):
             self.ctx.cull_face = away
             array.render()

@@ -24,7 +24,7 @@ from app.theme import THEMES
 
 POSTER, SMALL, PLOT, SQUARE = (1280, 720), (800, 450), (900, 600), (360, 360)
 DARK = THEMES["dark"]
-LOOK = 0.35  # s for a study
+LOOK = 0.2  # s for a study
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -78,21 +78,16 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
     data = content(found)
     small, stills = None, {}
     if poster:
+        from app.export.shooting import Shooting, framed
         from app.export.still import data as carried
-        from app.export.still import framed, shot
-        from app.gpu.context import context
-        from app.gpu.stage import Stage
-        from app.gpu.stage_text import Source
 
         values: dict = defaults(found)
         values |= carried(found, values)
-        picture = shot(found, values, None, POSTER, DARK)
+        with Shooting(found, POSTER, DARK) as one:
+            picture = one.picture(values, one.camera([values], None))
+            # what fills a square picture fits into any
+            data["scene"]["camera"]["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
         small = webp(picture.resize(SMALL, Image.Resampling.LANCZOS))
-        stage = Stage(context(), Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
-        try:  # what fills a square picture fits into any
-            data["scene"]["camera"]["field_of_view"] = framed(stage, values, SQUARE, DARK).field_of_view
-        finally:
-            stage.release()
         stills = {i: webp(still_of(found, values, i)) for i, p in enumerate(data["plots"]) if p["kind"] == "still"}
         words = {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": write(found, values)}
         target.write(folder / f"{anchor(found.id)}.png", png(picture, words))
