@@ -27,7 +27,9 @@ SHADES = ("surface", "mesh")  # the programs that colour surfaces
 
 
 class EverythingOn(Stage):
-    """A stage whose surfaces are coloured by the yardstick."""
+    """A stage whose surfaces are coloured by the yardstick: one program for all of them, so it is compiled once."""
+
+    one_program = True
 
     def place(self, triangles: np.ndarray | None) -> None:
         super().place(triangles)

@@ -45,7 +45,7 @@ def halves(v, s, t, width) -> tuple[np.ndarray, np.ndarray]:
     angle = width * np.sinh(t * stretch)
     turn = 2 * np.pi * np.asarray(s)
     h = np.stack([np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle) + 0 * turn], -1)
-    v_dot_h = np.sum(v * h, -1)
+    v_dot_h = v[..., 0] * h[..., 0] + v[..., 1] * h[..., 1] + v[..., 2] * h[..., 2]
     d = 2 * v_dot_h[..., None] * h - v
     size = 8 * np.pi * np.sin(angle) * stretch * np.hypot(width, angle) * v_dot_h
     return d, np.where((d[..., 2] > 0) & (v_dot_h > 0), size, 0.0)

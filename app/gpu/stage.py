@@ -52,6 +52,8 @@ def on_gpu(values: dict) -> dict:
 
 
 class Stage:
+    one_program = False  # for all surfaces, rather than one for each
+
     def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
         self.ctx, self.source, self.scene = ctx, source, source.scene
         self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
@@ -92,8 +94,9 @@ class Stage:
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
         passing = self.passing if self.source.overrides else None
+        one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
         for name, (vertex, fragment) in self.texts(names).items():
-            if fragment and name in ("surface", "mesh") and len(self.scene.surfaces) <= MANY and passing is None:
+            if fragment and name in ("surface", "mesh") and not one:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
             else:

@@ -13,7 +13,8 @@ SMOOTHEST = 1e-5  # a smaller m or width is taken as this: a mirror to two secon
 
 
 def _dot(a, b):
-    return np.sum(np.asarray(a, float) * np.asarray(b, float), -1)
+    a, b = np.asarray(a, float), np.asarray(b, float)  # three sums are faster than np.sum over so short an axis
+    return a[..., 0] * b[..., 0] + a[..., 1] * b[..., 1] + a[..., 2] * b[..., 2]
 
 
 def slope_squared(n, h):
