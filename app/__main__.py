@@ -14,6 +14,7 @@ from app.problem import Problem, Usage, near
 INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
 JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, what it does)
     "show": ("", "open the window at a state: halfway show 'solid_angle/patch?distance=2.5&tilt=30'"),
+    "present": ("app.present", "a talk: scenes beside a deck, a clicker, a window for the lecturer"),
     "list": ("", "chapters, steps and the slides they teach"),
     "inspect": ("app.inspection", "what a step brings along, and what it leaves out"),
     "render": ("", "one step as a picture"),

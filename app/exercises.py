@@ -86,13 +86,15 @@ class Checker:
         self.on_verdicts = on_verdicts
         self.lock = threading.Lock()
         self.wish: tuple[str, Language, str] | None = None
+        self.now: tuple[str, Language, str] | None = None  # what is being checked
         self.thread: threading.Thread | None = None
         self.shown: Verdicts | None = None
 
     def ask(self, exercise: str, text: str, language: Language = "glsl") -> None:
-        """Wants the verdicts of a text; of one that is shown already it does nothing."""
+        """Wants the verdicts of a text; of one that is shown, checked or wanted already it does nothing."""
         with self.lock:
-            if self.shown and self.thread is None and self.shown.of == (exercise, language, text):
+            last = self.wish or self.now or (self.shown.of if self.shown else None)
+            if last == (exercise, language, text):
                 return
             self.wish = exercise, language, text
             if self.thread is None:
@@ -113,12 +115,15 @@ class Checker:
     def work(self) -> None:
         while True:
             with self.lock:
-                wish, self.wish = self.wish, None
-                if wish is None:
+                self.now, self.wish = self.wish, None
+                if self.now is None:
                     self.thread = None
                     return
-            exercise, language, text = wish
-            self.shown = verdicts(exercise, text, language)
+            exercise, language, text = self.now
+            try:
+                self.shown = verdicts(exercise, text, language)
+            except Exception as error:  # whatever the machine does, the next text is checked
+                self.shown = Verdicts(exercise, language, text, None, f"{type(error).__name__}: {error}")
             self.on_verdicts()
 
 
@@ -133,10 +138,21 @@ def verdicts(exercise: str, text: str, language: Language = "glsl") -> Verdicts:
         return Verdicts(exercise, language, text, None, str(problem))
 
 
-def hand_in(exercise: str, language: Language, texts: Mapping[str, str], folder: Path) -> tuple[Path, int, int]:
-    """Writes the file of the assignment that asks an exercise, of these texts (chapter/name -> text): where it is, how
-    many of its functions pass every visible check, and how many it has."""
+@dataclass(frozen=True)
+class Handed:
+    """A file to hand in: how many of its functions pass every visible check; `said`: why none of it runs."""
+
+    path: Path
+    good: int
+    count: int
+    said: str
+
+
+def hand_in(exercise: str, language: Language, texts: Mapping[str, str], folder: Path) -> Handed:
+    """Writes the file of the assignment that asks an exercise, of these texts (chapter/name -> text)."""
     from app.grade.live import asked_in
     from app.homework.hand_in import hand_in as write
 
-    return write(asked_in(exercise)[0], language, texts, folder)
+    path, found = write(asked_in(exercise)[0], language, texts, folder)
+    reasons = {one.said for one in found}
+    return Handed(path, sum(one.ok for one in found), len(found), reasons.pop() if len(reasons) == 1 else "")

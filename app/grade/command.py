@@ -165,8 +165,8 @@ class Class:
     def write(self) -> None:
         """marks.csv and every result.json, from what is known; the same bytes whatever way it became known."""
         blank: dict = {"schema": SCHEMA, "assignment": {"id": self.assignment.id, "hash": self.assignment.digest},
-                 "score": None, "max": self.assignment.points, "visible_score": None, "visible_max": None,
-                 "misconceptions": [], "curves": []}
+                       "score": None, "max": self.assignment.points, "visible_score": None, "visible_max": None,
+                       "misconceptions": [], "curves": []}
         bodies = {student: blank | late.applied(self.bodies.get(key, NOT_YET), self.assignment, self.times.get(student))
                   for student, key in self.keys.items()}
         sharing: dict[str, list[str]] = {}

@@ -7,7 +7,7 @@ from pathlib import Path
 from app.export.target import make_folder, write
 from app.files import reason
 from app.grade.assignment import Assignment, Task
-from app.grade.live import findings
+from app.grade.live import Finding, findings
 from app.grade.question import FILES, Language
 from app.grade.texts import declares, standalone
 from app.homework.command import starter
@@ -16,16 +16,14 @@ from app.problem import Problem, Usage
 
 def hand_in(
     assignment: Assignment, language: Language, texts: Mapping[str, str], folder: Path
-) -> tuple[Path, int, int]:
+) -> tuple[Path, list[Finding]]:
     """FOLDER/assignment/submission.glsl or .py of these texts, chapter/name -> text; stubs where there is none. Another
-    text that was there is kept in FOLDER/earlier. Returns the file, how many of its functions pass every visible check,
-    and how many there are."""
+    text that was there is kept in FOLDER/earlier. Returns the file, and what `halfway check` says of it."""
     whole = submission(assignment, language, texts)
     path = make_folder(folder / assignment.id) / FILES[language]
     keep_earlier(path, whole.encode(), folder / "earlier")
     write(path, whole.encode())
-    found = findings(assignment, language, whole, plot=False)
-    return path, sum(one.ok for one in found), len(found)
+    return path, findings(assignment, language, whole, plot=False)
 
 
 def submission(assignment: Assignment, language: Language, texts: Mapping[str, str]) -> str:

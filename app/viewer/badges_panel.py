@@ -44,35 +44,64 @@ class BadgesPanel:
         imgui.spacing()
         large = self.app.theme.name == "projector"
         imgui.push_font(None, (SMALL if large else 1.0) * imgui.get_style().font_size_base)
-        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
-        if imgui.begin_table("badges", 1 + len(NAMES), flags):
-            imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
-            for name in NAMES:
-                imgui.table_setup_column(name)
-            imgui.table_next_row()
-            for i, name in enumerate(NAMES, 1):
-                imgui.table_set_column_index(i)
-                imgui.text_disabled(SHORT[name])
-                if imgui.is_item_hovered():
-                    imgui.set_tooltip(ASKED[name])
-            for model in found.step.models:
-                self.row(found.id, model, values, hidden)
-            imgui.end_table()
+        (self.beside if fits(found.step.models) else self.stacked)(found.step.models, values, hidden)
         imgui.pop_font()
 
-    def row(self, step: str, model: Model, values: dict, hidden: bool) -> None:
-        now = self.known.get(key(model, values))
-        if now is not None:
-            self.last[step, model.label] = now
-        shown = now or self.last.get((step, model.label))
+    def beside(self, models: tuple[Model, ...], values: dict, hidden: bool) -> None:
+        """The name in the first column, badges behind it."""
+        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
+        if not imgui.begin_table("badges", 1 + len(NAMES), flags):
+            return
+        imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
+        for name in NAMES:
+            imgui.table_setup_column(name)
         imgui.table_next_row()
         imgui.table_next_column()
+        self.heads()
+        for model in models:
+            imgui.table_next_row()
+            imgui.table_next_column()
+            self.name(model, values)
+            self.badges(model, values, hidden)
+        imgui.end_table()
+
+    def stacked(self, models: tuple[Model, ...], values: dict, hidden: bool) -> None:
+        """For large letters in a narrow column: a name on a line of its own, all badges below it, in equal columns."""
+        for i, model in enumerate((None, *models)):
+            if model:
+                self.name(model, values)
+            if imgui.begin_table(f"badges {i}", len(NAMES), imgui.TableFlags_.sizing_stretch_prop):
+                for name in NAMES:  # as wide as their heads, in every table
+                    wide = imgui.calc_text_size(SHORT[name]).x
+                    imgui.table_setup_column(name, imgui.TableColumnFlags_.width_stretch, wide)
+                imgui.table_next_row()
+                if model:
+                    self.badges(model, values, hidden)
+                else:
+                    self.heads()
+                imgui.end_table()
+
+    def heads(self) -> None:
+        for name in NAMES:
+            imgui.table_next_column()
+            imgui.text_disabled(SHORT[name])
+            if imgui.is_item_hovered():
+                imgui.set_tooltip(ASKED[name])
+
+    def name(self, model: Model, values: dict) -> None:
         size, at = imgui.get_font_size(), imgui.get_cursor_screen_pos()
         ink = style.u32(colour(model.colour, self.app.theme))
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
         mine = is_yours(model.term, values)
         imgui.text_wrapped(model.label + (", yours" if mine else ", the course's" if EDITED in values else ""))
+
+    def badges(self, model: Model, values: dict, hidden: bool) -> None:
+        """A cell of the table for each."""
+        step, now = self.app.session.current.id, self.known.get(key(model, values))
+        if now is not None:
+            self.last[step, model.label] = now
+        shown = now or self.last.get((step, model.label))
         for name in NAMES:
             imgui.table_next_column()
             badge = shown[name] if isinstance(shown, dict) and not hidden else None
@@ -130,6 +159,14 @@ def job(wanted: tuple, model: Model, values: dict) -> tuple[tuple, dict[str, Bad
         return wanted, of_model(model, values)
     except Exception as error:  # whatever a twin does, the window goes on
         return wanted, f"{type(error).__name__}: {error}"
+
+
+def fits(models: tuple[Model, ...]) -> bool:
+    """Whether the longest word of the names has room before the badges."""
+    cells = sum(imgui.calc_text_size(SHORT[name]).x + 2 * imgui.get_style().cell_padding.x for name in NAMES)
+    words = [word for model in models for word in model.label.split()]
+    longest = max(imgui.calc_text_size(word).x for word in words) + 1.5 * imgui.get_font_size()
+    return cells + longest <= imgui.get_content_region_avail().x
 
 
 def middle(width: float) -> None:

@@ -43,6 +43,11 @@ class ExercisePanel:
         return of_step(self.app.session.current)
 
     @property
+    def own(self) -> list[str]:
+        """Those that the step teaches."""
+        return [name for name, one in self.known.items() if taught(self.app.session.current, one)]
+
+    @property
     def name(self) -> str:
         """The exercise that is shown: the one chosen in this chapter, else the step's own."""
         known, found = self.known, self.app.session.current
@@ -78,17 +83,18 @@ class ExercisePanel:
 
     def place(self) -> None:
         """What is typed stands in the scene, while it is open and the scene is made of it."""
-        session = self.app.session
+        session, name = self.app.session, self.name
         texts = {}
         if self.is_shown and self.language == "glsl":
-            exercise = self.known[self.name]
-            texts = {exercise.function: self.practice.text(self.name, exercise, "glsl")}
+            exercise = self.known[name]
+            texts = {exercise.function: self.practice.text(name, exercise, "glsl")}
         session.try_out(texts)
 
     def typed(self, text: str) -> None:
         """It is drawn at once, checked and kept when the hand rests."""
         name, language = self.of
         self.practice.type(name, self.known[name], language, text)
+        self.handed = "", ""
         self.typed_at = time.monotonic()
 
     def rest(self) -> None:
@@ -127,6 +133,7 @@ class ExercisePanel:
         self.handing.add_done_callback(lambda _: glfw.wake())
 
     def close(self) -> None:
+        self.checker.on_verdicts = lambda: None
         self.thread.shutdown(wait=True, cancel_futures=True)
 
     # --- how it looks ------------------------------------------------------------------------------------------------
@@ -146,6 +153,7 @@ class ExercisePanel:
         self.widget.mark(self.faults(exercise, mine, text), self.app.theme)
         room = imgui.get_content_region_avail()
         self.widget.draw("code", ImVec2(0, min(self.widget.height(room.x), MOST * room.y)), self.app.theme)
+        imgui.spacing()
         self.buttons(name, language)
         imgui.separator()
         imgui.begin_child("verdicts")
@@ -183,7 +191,7 @@ class ExercisePanel:
             ink = style.ink("r", app.theme) if wrong else colour("quiet", app.theme)
             imgui.push_style_color(imgui.Col_.text, style.vec(ink))
             imgui.text_wrapped("The picture shows your last text that ran." if wrong else
-                               "The scene, the numbers and the plot are drawn by your text.")
+                               "The scene is drawn by your text, and all that is yours follows it.")
             imgui.pop_style_color()
             return
         is_python = self.language == "python"
@@ -245,10 +253,11 @@ class ExercisePanel:
 def handed_in(name: str, language: Language, texts: dict[str, str], folder: Path) -> str:
     """What a person is told of it."""
     try:
-        path, good, count = hand_in(name, language, texts, folder)
+        done = hand_in(name, language, texts, folder)
     except Problem as problem:
-        return str(problem)
-    return f"Written: {path}. {good} of its {count} functions pass{'es' if good == 1 else ''} every visible check."
+        return f"Not written: {problem}"
+    passing = f"{done.good} of its {done.count} functions pass{'es' if done.good == 1 else ''} every visible check"
+    return f"Written: {done.path}. {passing}{f' ({done.said})' if done.said else ''}."
 
 
 @cache
@@ -260,10 +269,9 @@ def drawn_in(name: str, steps: tuple[LoadedStep, ...]) -> str:
 
 
 def invitation(app) -> None:
-    """Below the prose of a step: a button for each exercise that it teaches, or for the chapter's first."""
+    """Below the prose of a step: a button for each exercise that it teaches."""
     panel = app.exercise
-    own = [name for name, one in panel.known.items() if taught(app.session.current, one)]
-    for name in own:
+    for name in panel.own:
         solved = panel.practice.solved(name)
         if imgui.button(f"Exercise: write {panel.known[name].function}{'  (solved)' if solved else ''}"):
             panel.open(name)

@@ -47,6 +47,10 @@ def draw(sweep: "Sweep", theme: Theme, width: float) -> None:
         for piece in pieces(np.isfinite(values)):
             points: list = [ImVec2(float(a), float(b)) for a, b in zip(xs[piece], ys[piece], strict=True)]
             draw_list.add_polyline(points, style.u32(colour(ink, theme)), thick, 0)
+    for values, ink in ((sweep.expected, "exact"), (sweep.got, "estimate")):
+        at_worst = y(np.interp(sweep.here, sweep.at, values))
+        if np.isfinite(at_worst):
+            draw_list.add_circle_filled(ImVec2(here, float(at_worst)), 0.22 * em, style.u32(colour(ink, theme)))
     for name, height in zip(names, (top, bottom - line), strict=True):
         draw_list.add_text(ImVec2(left - 0.35 * em - imgui.calc_text_size(name).x, height), quiet, name)
     first, last = short(sweep.at[0]), short(sweep.at[-1])

@@ -36,6 +36,9 @@ def draw(shown: Verdicts | None, theme: Theme, is_old: bool) -> None:
         suspect(name, hint, theme)
     for ok, words in checks:
         marked_line(words, ok, theme)
+    if shown.ok:
+        imgui.spacing()
+        imgui.text_disabled("There are hidden points too, once it is handed in.")
     if shown.worst:
         worst(*shown.worst)
     if shown.plot:
@@ -65,11 +68,7 @@ def suspect(name: str, hint: str, theme: Theme) -> None:
 def worst(place: str, expected: str, got: str) -> None:
     imgui.spacing()
     imgui.text_wrapped(f"The worst point: {place}")
-    if imgui.begin_table("worst", 2, imgui.TableFlags_.sizing_fixed_fit):
-        for words, value in (("expected", expected), ("got", got)):
-            imgui.table_next_row()
-            imgui.table_next_column()
-            imgui.text_disabled(words)
-            imgui.table_next_column()
-            imgui.text_wrapped(value)
-        imgui.end_table()
+    for words, value in (("expected", expected), ("got", got)):
+        imgui.text_disabled(words)
+        imgui.same_line(5 * imgui.get_font_size())
+        imgui.text_wrapped(value)

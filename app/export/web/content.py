@@ -4,14 +4,13 @@ import math
 
 import numpy as np
 
-from app import meshes, tables
+from app import tables
 from app.badges import SHORT, of_model, told
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.figures import plot
-from app.export.web.texts import Data, Twins, deflated, packed, scene
+from app.export.web.texts import Data, Twins, packed, scene
 from app.gpu.stage_text import COLOURS, look
 from app.lesson import Model, Readout
-from app.mesh_edges import corner_normals, shared_corners
 from app.optics import arguments
 from app.prediction import truth_values
 from app.quantities import FROM_ANGLES, shown
@@ -98,12 +97,11 @@ def rounded(numbers) -> list[float]:
 
 
 def constants(found: LoadedStep) -> Data:
-    """The step's meshes and tables as base64: corners and the triangles between them, rows and columns."""
+    """The names of the step's meshes, which the page makes itself, and its tables: rows and columns, base64."""
     one = found.step.scene
     carried: Data = {"meshes": [], "tables": []}
     if any(surface.mesh for surface in one.surfaces):
-        carried["meshes"] = [mesh(meshes.built_in(name).triangles, "corner_normal(" in one.glsl)
-                             for name in one.meshes]
+        carried["meshes"] = list(one.meshes)
     for table in one.tables:
         if table.map:  # a student's own picture, which a page has none of
             none = np.asarray(tables.texels(table.map, None))
@@ -115,12 +113,3 @@ def constants(found: LoadedStep) -> Data:
             {"rows": t.shape[0], "columns": t.shape[1], "numbers": packed(t)} for t in files]})
     return carried
 
-
-def mesh(triangles: np.ndarray, normals: bool) -> Data:
-    """Corners and faces, deflated; with normals (16 bits a number) a corner counts once for each normal it has."""
-    place = shared_corners(triangles).ravel()
-    turned = np.round(corner_normals(triangles).reshape(-1, 3) * 32767).astype("i2")
-    key = np.column_stack([place, turned]) if normals else place[:, None]
-    _, first, faces = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    found = {"corners": deflated(triangles.reshape(-1, 3)[first].astype("f4")), "faces": deflated(faces.astype("u2"))}
-    return found | ({"normals": deflated(turned[first])} if normals else {})

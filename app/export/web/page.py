@@ -10,7 +10,7 @@ from pathlib import Path
 from app.catalog import LoadedStep
 from app.export.markup import anchor, html
 from app.export.web import math
-from app.export.web.texts import Data
+from app.export.web.texts import Data, shared
 
 PLAYER = Path(__file__).with_name("player")
 CORE = ("gpu.js", "stage.js", "words.js", "plots.js")  # then what draws the kinds of plots a step has, then the page
@@ -30,7 +30,8 @@ def text_of(name: str) -> str:
 def script(content: Data) -> str:
     """The player, with what draws this step's plots and no other."""
     kinds = [name for plot in content["plots"] for name in KINDS[plot["kind"]]]
-    own = "".join(text_of(name) for name in (*CORE, *dict.fromkeys(kinds)))
+    shapes = ("shapes.js",) if content["meshes"] else ()
+    own = "".join(text_of(name) for name in (*CORE, *shapes, *dict.fromkeys(kinds)))
     ours = {name for plot in content["plots"] for name in (plot["kind"],)}
     names = {"curves": "CurvesPlot", "slice": "SlicePlot", "ledger": "LedgerPlot", "space": "SpacePlot"}
     table = ", ".join(f"{kind}: {names[kind]}" for kind in names if kind in ours)
@@ -110,7 +111,7 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 </main>
 <p id="said" class="unseen" role="status"></p>
 <noscript><p class="about">This page draws with a script of its own, and scripts are switched off.</p></noscript>
-<script type="application/json" id="content">{as_json(content)}</script>
+<script type="application/json" id="content">{as_json(shared(content))}</script>
 {"".join(f"<script>{one}</script>" for one in scripts)}
 </body>
 </html>
@@ -161,4 +162,4 @@ def ask(content: Data) -> str:
                   '<output id="guessed" for="guess"></output>')
     return (f'<div id="ask"><p>{escape(question["question"])}</p><div class="choices">{answer}'
             '</div><button id="reveal" type="button">Reveal</button><p id="verdict" role="status"></p>'
-            f'<p id="told" hidden>{escape(question["told"])}</p></div>').replace('', "")
+            f'<p id="told" hidden>{escape(question["told"])}</p></div>')

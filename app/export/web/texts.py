@@ -1,7 +1,6 @@
 """GLSL and numbers as a page carries them: a scene's programs, the twins it calls, arrays as base64. Pure text."""
 
 import base64
-import zlib
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -45,6 +44,33 @@ def squeezed(text: str) -> str:
     return "\n".join(line for line in text.split("\n") if line.strip()) + "\n"
 
 
+def shared(content: Data) -> Data:
+    """The content with each declaration of its GLSL once: programs and twins are the numbers of theirs, in order."""
+    known: dict[str, int] = {}
+
+    def numbered(text: str) -> list[int]:
+        return [known.setdefault(part, len(known)) for part in declarations(text)]
+
+    def scene_of(one: Data) -> Data:
+        return one | {"programs": {name: [numbered(text) for text in pair] for name, pair in one["programs"].items()}}
+
+    plots = [plot | ({"scene": scene_of(plot["scene"])} if "scene" in plot else {}) for plot in content["plots"]]
+    twins = {name: twin | {"text": numbered(twin["text"])} for name, twin in content["twins"].items()}
+    found = {"scene": scene_of(content["scene"]), "plots": plots, "twins": twins}
+    return content | found | {"glsl": list(known)}
+
+
+def declarations(text: str) -> list[str]:
+    """A text cut after each line that stands outside all braces."""
+    parts, depth = [""], 0
+    for line in text.splitlines(keepends=True):
+        parts[-1] += line
+        depth += line.count("{") - line.count("}")
+        if depth <= 0:
+            parts.append("")
+    return [part for part in parts if part]
+
+
 def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
     texts = programs(one, file, first, shader.WEB)
@@ -65,6 +91,3 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
 def packed(numbers: np.ndarray) -> str:
     return base64.b64encode(np.ascontiguousarray(numbers).tobytes()).decode()
 
-
-def deflated(numbers: np.ndarray) -> str:
-    return base64.b64encode(zlib.compress(np.ascontiguousarray(numbers).tobytes(), 9)).decode()

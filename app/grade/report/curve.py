@@ -10,7 +10,7 @@ from app.grade.sweep import ends
 
 WIDTH, HEIGHT = 560.0, 220.0  # of the part where values are
 EDGE = 10.0  # of it above the highest and below the lowest
-LEFT, TOP, BOTTOM, RIGHT = 74.0, 14.0, 46.0, 14.0
+LEFT, TOP, BOTTOM, RIGHT = 92.0, 8.0, 50.0, 8.0
 
 
 def svg(curve: dict) -> str:
@@ -30,9 +30,9 @@ def svg(curve: dict) -> str:
         level = float(np.interp(here, x, y))
         dots += f'<circle class="{name}" cx="{here:.1f}" cy="{level:.1f}" r="5"/>' if np.isfinite(level) else ""
     marks = "".join(text(-10, y + 5, "end", numbers(value, 3)) for y, value in ((EDGE, high), (HEIGHT - EDGE, low)))
-    below = text(0, HEIGHT + 20, "start", numbers(float(at[0]), 3)) + text(
-        WIDTH, HEIGHT + 20, "end", numbers(float(at[-1]), 3)) + text(
-        WIDTH / 2, HEIGHT + 38, "middle", curve["label"] + (" (log)" if curve["log"] else ""), "title")
+    below = text(0, HEIGHT + 22, "start", numbers(float(at[0]), 3)) + text(
+        WIDTH, HEIGHT + 22, "end", numbers(float(at[-1]), 3)) + text(
+        WIDTH / 2, HEIGHT + 42, "middle", curve["label"] + (" (log)" if curve["log"] else ""), "title")
     box = f"{-LEFT:g} {-TOP:g} {LEFT + WIDTH + RIGHT:g} {TOP + HEIGHT + BOTTOM:g}"
     said = escape(f"The right values and yours against {curve['label']}, from {numbers(float(at[0]), 3)} to "
                   f"{numbers(float(at[-1]), 3)}")

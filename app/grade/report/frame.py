@@ -3,6 +3,8 @@
 from html import escape
 from pathlib import Path
 
+from app.grade.report.words import ILLEGAL
+
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
 CSS = Path(__file__).with_name("style.css")
 
@@ -27,8 +29,8 @@ def page(title: str, body: str) -> bytes:
 
 
 def clean(text: object) -> str:
-    """Text that cannot be anything else: escaped, without half characters."""
-    return escape(str(text).encode("utf-8", "replace").decode("utf-8"))
+    """Text that cannot be anything else."""
+    return escape(ILLEGAL.sub("", str(text)))
 
 
 def bar(share: float, words: str = "") -> str:

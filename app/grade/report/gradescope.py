@@ -5,7 +5,7 @@ submission there is no file: whatever it said would be a mark.
 """
 
 from app.grade.report.stored import Sheet
-from app.grade.report.words import point, points, region, sentence, verdict
+from app.grade.report.words import hint, point, points, region, sentence, verdict
 
 LATER = "after_published"  # when the course team shows the marks, the regions and counts of the hidden points
 
@@ -28,8 +28,9 @@ def output(sheet: Sheet) -> str:
     if sheet.override:
         lines.append(f"Marked by hand: {points(sheet.override['points'])}. {sheet.override['reason']}".strip())
     if first is not None:
-        lines.append(f"Fix first: {first.function}.")
-    lines += [f"{one['function']}: {one['message']}" for one in result["misconceptions"]]
+        lines.append(f"Fix first {first.function}: {hint(first)}")
+    lines += [f"{one['function']}: {one['message']}" for one in result["misconceptions"]
+              if first is None or one["function"] != first.function]
     if result["grader"]["unsandboxed"]:
         lines.append(f"UNSANDBOXED: isolated at level {result['grader']['level']} only.")
     return "\n".join(lines)

@@ -3,19 +3,19 @@
 import re
 
 from app.grade.report.stored import Item, Sheet
-from app.grade.report.words import HIDDEN, NOT_YOURS, counted, hint, point, points, region, sentence
+from app.grade.report.words import HIDDEN, ILLEGAL, NOT_YOURS, counted, hint, point, points, region, sentence
 
 MARKUP = re.compile(r"[\\`*_{}\[\]<>#|!~&$]|(?<=\w)[:@](?=\S)|^(?=[-+=]|\d+[.)])")
 
 
 def plain(text: object) -> str:
     """Text on one line that a renderer shows as it is."""
-    return MARKUP.sub(lambda m: "\\" + m[0], " ".join(str(text).encode("utf-8", "replace").decode("utf-8").split()))
+    return MARKUP.sub(lambda m: "\\" + m[0], " ".join(ILLEGAL.sub("", str(text)).split()))
 
 
 def code(text: str) -> str:
     """Text as it is, on lines of its own; no run of ticks in it ends it early."""
-    text = text.encode("utf-8", "replace").decode("utf-8")
+    text = ILLEGAL.sub("", text)
     fence = "`" * max(3, 1 + max((len(run) for run in re.findall("`+", text)), default=0))
     return f"{fence}text\n{text}\n{fence}"
 

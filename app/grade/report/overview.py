@@ -4,6 +4,7 @@ What it needs of each student is kept as they go by; the pages of thousands neve
 """
 
 from collections import Counter, defaultdict
+from statistics import median
 from urllib.parse import quote
 
 from app.grade.level import MEANING
@@ -16,8 +17,8 @@ BINS, HIGHEST = 10, 88  # bars of the histogram; the highest one, in % of its ro
 NAMED = 400  # students behind one line; of the others the number
 
 MADE = {"pass": "·", "partial": "▪", "skipped": "▫"}
-LEGEND = ("Each sign is a check, in the order of tests.csv: · passed, ▪ partly, ■ failed, ▫ a property that counts when "
-          "the values are right.")
+LEGEND = ("Each sign is a check, in the order of tests.csv: · passed, ▪ partly, ■ failed, ▫ a property that counts "
+          "when the values are right.")
 
 
 class Overview:
@@ -55,7 +56,7 @@ class Overview:
 
     def bytes(self) -> bytes:
         assignment, grader = self.facts["assignment"], self.facts["grader"]
-        middle = sorted(self.marks)[len(self.marks) // 2] if self.marks else 0.0
+        middle = median(self.marks) if self.marks else 0.0
         all_of = sum(mark >= self.most - 1e-9 for mark in self.marks)
         said = [f"{len(self.rows)} submissions", f"{all_of} with all {points(self.most)} points",
                 f"median {points(middle)}", f"{len(self.ungraded)} ungraded"]
@@ -78,9 +79,9 @@ class Overview:
         bars = "".join(
             f'<div class="{"all" if i == BINS else ""}"><p><b>{counts[i] or ""}</b>'
             f'<i style="height:{HIGHEST * counts[i] / top:.1f}%"></i></p>'
-            f'<span>{100 * i // BINS}{"" if i < BINS else " %"}</span></div>' for i in range(BINS + 1))
-        return (f'<div class="histogram">{bars}</div><p class="note">Share of the points, in steps of {100 // BINS} %; '
-                "the last bar has all of them.</p>")
+            f'<span>{100 * i // BINS}</span></div>' for i in range(BINS + 1))
+        return (f'<div class="histogram">{bars}</div><p class="note">Share of the points in %; the last bar has all of '
+                "them.</p>")
 
     def misconceptions(self) -> str:
         found = sorted(self.suspects.items(), key=lambda one: (-len(one[1]), one[0]))

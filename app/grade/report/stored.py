@@ -31,11 +31,20 @@ def class_facts(assignment: Assignment, grader: dict, students: Iterable[str]) -
 
 def read(path: Path) -> dict:
     try:
-        return json.loads(path.read_bytes())
+        return sound(json.loads(path.read_bytes()))
     except FileNotFoundError:
         raise Usage(f"there is no {path}; name a folder that `halfway grade -o` wrote.") from None
     except (OSError, ValueError):
         raise Problem(f"{path} cannot be read; grade with --resume, then it is written anew.") from None
+
+
+def sound(value):
+    """Without half characters, which no format can hold."""
+    if isinstance(value, dict):
+        return {key: sound(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [sound(inner) for inner in value]
+    return value.encode("utf-8", "replace").decode("utf-8") if isinstance(value, str) else value
 
 
 @dataclass(frozen=True)
@@ -96,6 +105,12 @@ class Sheet:
         """'3.1 of 5', of the visible points; '' where nothing was graded."""
         score, most = self.result["visible_score"], self.result["visible_max"]
         return "" if score is None or most is None else f"{points(score)} of {points(most)}"
+
+    @property
+    def hidden(self) -> str:
+        """The same of the hidden points; '' where there are none."""
+        rest = [self.result[name] - self.result[f"visible_{name}"] for name in ("score", "max")]
+        return f"{points(rest[0])} of {points(rest[1])}" if rest[1] > 0 else ""
 
     @cached_property
     def items(self) -> list["Item"]:

@@ -11,16 +11,19 @@ BASE64 = re.compile(r"[A-Za-z0-9+/=]+")
 
 
 def report(sheet: Sheet) -> bytes:
+    whole = sheet.result["tests"] and not sheet.at_once  # else there is nothing to say of each function
     body = (f'<header>{stamp(sheet.facts["grader"])}<p class="over">{clean(sheet.assignment["title"])}</p>'
-            f'<h1>{clean(sheet.student)}</h1>{mark(sheet)}</header>\n<main>\n{first(sheet)}{outline(sheet)}'
-            f'{"".join(map(section, sheet.items if sheet.result["tests"] else ()))}</main>\n{foot(sheet.facts)}')
+            f'<h1>{clean(sheet.student)}</h1>{mark(sheet)}</header>\n<main>\n{first(sheet)}'
+            f'{outline(sheet.items) + "".join(map(section, sheet.items)) if whole else ""}</main>\n{foot(sheet.facts)}')
     return page(f"{sheet.student}: {sheet.assignment['title']}", body)
 
 
 def mark(sheet: Sheet) -> str:
     if sheet.mark is None:
-        return f'<p class="mark">Not graded yet</p><p class="lead">{clean(NOT_YOURS)}</p>'
-    said = [f"The visible points are {sheet.visible}; the others are hidden ones."] if sheet.visible else []
+        return (f'<p class="mark">Not graded yet</p><p class="lead">{clean(NOT_YOURS)}</p>'
+                f'<p class="note">{clean(sheet.result.get("why", ""))}</p>')
+    said = [f"Visible points: {sheet.visible}" + (f"; hidden ones: {sheet.hidden}." if sheet.hidden else ".")
+            ] if sheet.visible else []
     late, override = sheet.result["late_share"], sheet.override
     if override:
         graded = sheet.result.get("score")
@@ -57,12 +60,12 @@ def link(item: Item) -> str:
     return f'<a href="#{anchor(item)}"><code>{clean(item.function)}</code></a>'
 
 
-def outline(sheet: Sheet) -> str:
-    if not sheet.result["tests"]:
-        return f'<p class="lead">{clean(sheet.result.get("why", ""))}</p>'
+def outline(items: list[Item]) -> str:
+    if len(items) < 2:
+        return ""
     rows = "".join(f'<a href="#{anchor(item)}"><code>{clean(item.function)}</code>'
                    f'<span>{points(item.total("score"))} of {points(item.total("max"))}</span>'
-                   f'{bar(item.total("score") / max(item.total("max"), 1e-9))}</a>' for item in sheet.items)
+                   f'{bar(item.total("score") / max(item.total("max"), 1e-9))}</a>' for item in items)
     return f'<nav aria-label="Functions">{rows}</nav>\n'
 
 
@@ -95,7 +98,7 @@ def worst(item: Item) -> str:
     drawn = "".join(curve.svg(one) for one in item.curves[:1])
     key = ('<p class="key"><span class="right">right</span><span class="yours">yours</span>'
            '<span class="here">the worst point</span></p>') if drawn else ""
-    return (f'<div class="worst"><div><h3>The worst visible point <small>{clean(region(test))}</small></h3>'
+    return (f'<div class="worst"><div><h3>The worst visible point<small>{clean(region(test))}</small></h3>'
             f'<dl><dt>at</dt><dd>{args}</dd>'
             f'<dt>expected</dt><dd class="right">{clean(numbers(point["expected"]))}</dd>'
             f'<dt>got</dt><dd class="yours">{clean(numbers(point["got"]))}</dd></dl></div>'
@@ -118,8 +121,9 @@ def checks(item: Item) -> str:
     more = f'<p class="good">✓ {passed} other checks passed.</p>' if passed else ""
     note = (f'<p class="note">{HIDDEN[0].upper()}{HIDDEN[1:]}.</p>'
             if any(test["visibility"] == "hidden" for test in item.failed) else "")
-    return (f'<div class="wide"><table class="checks"><thead><tr><th>Check</th><th>Points</th><th>Wrong</th><th>Why</th></tr></thead>'
-            f"<tbody>{rows}</tbody></table></div>{more}{note}")
+    heads = "".join(f"<th>{word}</th>" for word in ("Check", "Points", "Wrong", "Why"))
+    return (f'<div class="wide"><table class="checks"><thead><tr>{heads}</tr></thead><tbody>{rows}</tbody></table>'
+            f"</div>{more}{note}")
 
 
 def row(test: dict) -> str:

@@ -1,5 +1,7 @@
 """What reports say of verdicts and numbers, in words of a person; numbers that are none are words already."""
 
+import re
+
 from app.quantities import TABLE, shown
 
 VERDICTS = {
@@ -10,6 +12,7 @@ VERDICTS = {
     "forbidden": "did what is not allowed", "skipped": "does not count yet", "ungraded": "not graded",
     "override": "marked by hand",
 }
+ILLEGAL = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # what XML 1.0 cannot hold at all
 NO_VALUES = set(VERDICTS) - {"pass", "partial", "wrong", "nonfinite", "skipped", "override"}
 NOT_YOURS = "The machine failed, not your text. This is no zero: it is graded again."
 HIDDEN = "of the hidden points only the region and the counts are told"

@@ -30,7 +30,7 @@ class Page {
     this.handles();
     this.question();
     this.tabs();
-    this.set(location.search.slice(1));
+    this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
     this.listen();
     this.draw(); // before formulas are set: the picture is what one waits for
   }
@@ -363,23 +363,6 @@ class Page {
   }
 }
 
-const inflated = text => new Response(new Blob([bytes(text)]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer();
-
-// A mesh's triangles from its corners, with their normals where the scene reads them; decoded once.
-function mesh(one) {
-  if (!one.data) {
-    const corners = new Float32Array(one.corners), faces = new Uint16Array(one.faces);
-    const spread = from => {
-      const found = new Float32Array(3 * faces.length);
-      faces.forEach((corner, i) => found.set(from.subarray(3 * corner, 3 * corner + 3), 3 * i));
-      return {triangles: found};
-    };
-    one.data = {triangles: spread(corners)};
-    if (one.normals) one.data.normals = spread(Float32Array.from(new Int16Array(one.normals), x => x / 32767));
-  }
-  return one.data;
-}
-
 function table(one) {
   if (typeof one.numbers === "string") one.numbers = numbers(Float32Array, one.numbers);
   return one;
@@ -410,10 +393,12 @@ function typeset() {
     katex.render(one.textContent, one, {displayMode: one.dataset.display === "yes", throwOnError: false, trust: ({command}) => command === "\\htmlClass", strict: false});
 }
 
-async function begin() {
+function begin() {
   addEventListener("load", () => setTimeout(typeset));
-  const content = JSON.parse($("content").textContent);
-  for (const one of content.meshes) for (const key of Object.keys(one)) one[key] = await inflated(one[key]);
+  const content = JSON.parse($("content").textContent), whole = parts => parts.map(i => content.glsl[i]).join("");
+  for (const {programs} of [content, ...content.plots].flatMap(({scene}) => scene || []))
+    for (const name in programs) programs[name] = programs[name].map(whole);
+  for (const name in content.twins) content.twins[name].text = whole(content.twins[name].text);
   if ($("picture").getContext("webgl2", HOW)) window.halfway = new Page(content);
   else document.documentElement.classList.add("still-only");
 }
