@@ -61,12 +61,12 @@ def left_behind() -> dict:
 
 @pytest.fixture(scope="module")
 def school() -> dict:
-    """Everybody, two at a time, a good submission after every fourth hostile one; and what was left behind."""
+    """Everybody, two at a time, a good submission after every eighth hostile one; and what was left behind."""
     assert level.found().safe, level.found().why
     baseline = {name: answer(GOOD, [question(name)], LIMITS)[0] for name in FILES}
     before = left_behind()
     with ThreadPoolExecutor(2) as pool:
-        class_of = [one for n, case in enumerate(CASES) for one in ((case, None) if n % 4 == 0 else (case,))]
+        class_of = [one for n, case in enumerate(CASES) for one in ((case, None) if n % 8 == 0 else (case,))]
         replies = list(zip(class_of, pool.map(graded, class_of), strict=True))
     return {"replies": {case: reply for case, reply in replies if case}, "baseline": baseline, "before": before,
             "neighbours": [reply for case, reply in replies if case is None], "after": left_behind()}

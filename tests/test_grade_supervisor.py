@@ -11,6 +11,7 @@ import psutil
 import pytest
 
 from app.grade import answers, conversation, level, plain, sandbox
+from app.grade.answers import Ending
 from app.grade.intake import Submission
 from app.grade.question import Question
 from app.grade.sandbox import LAYERS, Limits
@@ -154,3 +155,10 @@ def test_what_is_printed_is_bounded_and_printable():
     ending = conversation.converse("worker_python", noisy, calls, LAYERS["L2"], LIMITS)
     assert not ending.word and len(ending.answers) == 1
     assert len(ending.printed) < 6 * answers.NOISE and all(c.isprintable() or c == "\n" for c in ending.printed)
+
+
+@pytest.mark.parametrize(("code", "cpu", "word"), [
+    (-9, 9.15, "timeout_cpu"), (-9, 2.0, "crash"), (-11, 9.9, "crash"), (0, 9.9, "crash")])
+def test_a_kill_by_the_kernels_own_count_is_the_time(code, cpu, word):
+    """As measured with 16 processes on two cores: stopped at 10 s by the kernel's ticks, at 9.15 s by its books."""
+    assert conversation.ended(code, Ending(cpu=cpu), Limits(cpu=10))[0] == word

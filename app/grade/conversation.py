@@ -16,6 +16,7 @@ from app.grade.answers import NOISE, Call, Ending, Frames, Ours, printable, writ
 
 FLOOD = 16 << 20  # bytes printed after which it is stopped
 ASLEEP = 0.1  # share of the time below which a process sleeps: so none lasts longer than 10 times its processor time
+NEARLY = 0.75  # of the limit: on a busy machine the kernel counts whole ticks, and kills a tenth early by its own clock
 LONGEST_WAIT = 30.0  # s for a killed process to be gone
 
 
@@ -149,7 +150,7 @@ class Listener:
 
 def ended(code: int, ending: Ending, limits: sandbox.Limits) -> tuple[str, str]:
     """The word for a process that ended before it had answered everything."""
-    if ending.cpu > limits.cpu - 0.25 and code in (-signal.SIGKILL, -signal.SIGXCPU):
+    if ending.cpu > NEARLY * limits.cpu and code in (-signal.SIGKILL, -signal.SIGXCPU):
         return "timeout_cpu", too_long(limits)
     noise = ending.printed
     if code < 0 and (ending.memory > 0.5 * limits.memory or "bad_alloc" in noise or "out of memory" in noise.lower()):

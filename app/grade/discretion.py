@@ -22,7 +22,9 @@ def answered(submission: Submission, questions: list[Question], limits: Limits, 
     loud = [reply.id for reply in replies if reply.verdict in ITS_OWN and asked[reply.id].language == "python"]
     if not loud or not any(question.hidden for question in questions):
         return replies
-    shown = [question for question in questions if question.language == "python" and not question.hidden]
+    functions = {asked[key].function for key in loud}  # the others, endless perhaps, are not run again
+    shown = [question for question in questions if question.language == "python" and not question.hidden
+             and question.function in functions]
     words = {(asked[reply.id].function, reply.verdict): reply.said
              for reply in answer(submission, shown, limits, granted)}
     return [replace(reply, said=words.get((asked[reply.id].function, reply.verdict), OURS)) if reply.id in loud
