@@ -14,9 +14,11 @@ from app.problem import Problem, Usage, near
 INTERRUPTED, CLOSED_PIPE = 130, 141  # as a shell counts signals
 JOBS = {  # name -> (the module with add_arguments and run, or "" for this one, what it does)
     "show": ("", "open the window at a state: halfway show 'solid_angle/patch?distance=2.5&tilt=30'"),
+    "present": ("app.present", "a talk: scenes beside a deck, a clicker, a window for the lecturer"),
     "list": ("", "chapters, steps and the slides they teach"),
     "inspect": ("app.inspection", "what a step brings along, and what it leaves out"),
     "render": ("", "one step as a picture"),
+    "animate": ("app.export.animate", "a step with a value on its way, as WebP, GIF, AVIF or MP4"),
     "eval": ("app.calculator", "any function of the course as a calculator"),
     "ies": ("app.ies.command", "what a luminaire's IES file declares and what it emits, as words, JSON or a picture"),
     "board": ("app.board.command", "any reflectance model, the course's, a file or measured, judged and drawn"),
@@ -121,7 +123,8 @@ def window_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def show_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("state", metavar="STATE", help="chapter/step, with values if you like: ?distance=2.5&tilt=30")
+    parser.add_argument("state", metavar="STATE",
+                        help="chapter/step, with values if you like: ?distance=2.5&tilt=30; or a PNG of ours")
     window_arguments(parser)
 
 
@@ -135,7 +138,10 @@ def course(options: argparse.Namespace) -> int:
     if options.theme and options.theme not in THEMES:
         raise Usage(f"there is no theme {options.theme}.{near(options.theme, THEMES)}")
     if options.state:
+        from app.picture_state import is_picture, state_of
         from app.state import parse
+
+        options.state = state_of(options.state) if is_picture(options.state) else options.state
 
         parse(options.state)
     if not options.output and has_display():
@@ -148,7 +154,8 @@ def course(options: argparse.Namespace) -> int:
 # --- pictures --------------------------------------------------------------------------------------------------------
 def render_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("step", metavar="STEP", help="chapter/step, or a state string")
-    parser.add_argument("-o", "--output", metavar="FILE.png", required=True, help="where the picture goes")
+    parser.add_argument("-o", "--output", metavar="FILE.png", required=True,
+                        help="where the picture goes; of a plot of curves also .svg and .pdf")
     parser.add_argument("--size", metavar="WxH", help="pixels; 1280x720")
     parser.add_argument("--set", metavar="name=value", nargs="+", action="extend", default=[],
                         help="values of the step, angles in degrees")

@@ -95,6 +95,7 @@ def bound(function: str, given: dict) -> dict[str, np.ndarray]:
             raise Usage(f"{function} has no argument {name}; it takes {', '.join(known)}.{near(name, known)}")
     if "corner_count" in known and "corners" in given and "corner_count" not in given:
         given = given | {"corner_count": len(np.atleast_1d(array(function, "corners", given["corners"])))}
+    given = {**{name: "" for name in known if name.endswith("_map")}, **given}  # none: the pattern made here
     missing = [name for name in known if name not in given]
     if missing:
         raise Usage(f"{function} needs {', '.join(missing)} too; it takes {', '.join(known)}.")
@@ -105,8 +106,19 @@ def bound(function: str, given: dict) -> dict[str, np.ndarray]:
     return args
 
 
+def picture(name: str, given) -> np.ndarray:
+    """A map by its file, or none."""
+    from app import maps
+
+    if not isinstance(given, str):
+        raise Usage(f"{name} is a picture: name a PNG or JPEG file.")
+    return maps.read(name.removesuffix("_map"), given).texels if given else maps.NONE
+
+
 def array(function: str, name: str, given) -> np.ndarray:
     argument = next(a for a in shader.catalogue()[function][1].args if a.name == name)
+    if name.endswith("_map"):
+        return picture(name, given)
     table = argument.type == "sampler2D" and name == "table"
     if table and isinstance(given, str):
         from app.ies import read

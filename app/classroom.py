@@ -53,6 +53,7 @@ class LeaveOut:
     instead: str  # what stands in for it
     without: dict[str, str] = field(default_factory=dict)  # functions of the scene -> those instead, where it is out
     within: dict[str, str] = field(default_factory=dict)  # the same where it is in: the scene is written without it
+    of: str = ""  # what the error is a share of: "of the light"; the value itself without a word
 
 
 @dataclass(frozen=True)

@@ -35,11 +35,15 @@ class EverythingOn(Stage):
             self.hold("roughness_map", MAP)
 
     def texts(self, names: tuple[str, ...] | None) -> Programs:
-        text = shader.read("stage/shade.frag").replace("shade(s)", "everything(s.position, s.normal, s.v)")
-        before = '#include "stage/surface.glsl"\n#include "display/everything.glsl"\n'
-        lit = shader.assemble(before + text, "everything on")
-        return {name: (vertex, lit if name in SHADES else fragment)
+        return {name: (vertex, shading() if name in SHADES else fragment)
                 for name, (vertex, fragment) in super().texts(names).items()}
+
+
+def shading(header: tuple[str, ...] = shader.DESKTOP) -> shader.Assembled:
+    """What colours a pixel of any surface with everything on."""
+    text = shader.read("stage/shade.frag").replace("shade(s)", "everything(s.position, s.normal, s.v)")
+    before = '#include "stage/surface.glsl"\n#include "display/everything.glsl"\n'
+    return shader.assemble(before + text, "everything on", header=header)
 
 
 def features(scene: Scene) -> tuple[str, ...]:

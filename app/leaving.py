@@ -1,6 +1,6 @@
 """Leaving out: a scene does without what its values allow, tells the error it accepts, and lets a person decide."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -27,7 +27,8 @@ class Decision:
     @property
     def words(self) -> str:
         """One line: what is out or in, and why."""
-        cost = f"at most {share(self.error)} off" if self.error > EXACT else "exact to rounding"
+        part = " ".join(filter(None, (share(self.error), self.of.of)))
+        cost = f"at most {part} off" if self.error > EXACT else "exact to rounding"
         limit = share(self.of.limit)
         if self.is_out:
             why = f", above the {limit} it accepts" * (self.error > self.of.limit) if self.by_hand else ""
@@ -49,6 +50,13 @@ def decisions(found: LoadedStep, values: Mapping, by_hand: Mapping[str, bool] | 
             error = float(evaluate(one.error, dict(values)) if isinstance(one.error, Term) else one.error)
         made.append(Decision(one, given.get(one.label, error <= one.limit), error, one.label in given))
     return tuple(made)
+
+
+def edited(found: LoadedStep, texts: Collection[str]) -> dict[str, bool]:
+    """Of every LeaveOut that would put something in the place of a function with the user's own text: in or out, so
+    that this text runs."""
+    return {one.label: not one.within.keys().isdisjoint(texts) for one in found.step.leave_outs
+            if not (one.without.keys() | one.within.keys()).isdisjoint(texts)}
 
 
 def lean(found: LoadedStep, made: tuple[Decision, ...]) -> LoadedStep:

@@ -143,7 +143,7 @@ def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str], uv: 
     if reach > FARTHEST:
         raise Problem(f"{path}: its coordinates reach {reach:.0e}, which no unit of length explains (the limit is "
                       f"{FARTHEST:.0e}); scale the mesh down, or export it again if it is damaged.")
-    notes = [f"{len(triangles)} triangles", *(f"{what} left out" for what in dict.fromkeys(left_out))]
+    notes = [counted(len(triangles), "triangle"), *(f"{what} left out" for what in dict.fromkeys(left_out))]
     if kind == "glb":  # +y is up in glTF, +z here
         triangles = triangles[..., [0, 2, 1]] * [1.0, -1.0, 1.0]
         notes.append("turned so that its +y is our +z")
@@ -166,7 +166,7 @@ def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str], uv: 
     if flat.all():
         raise Problem(f"{path}: none of its {len(flat)} triangles has an area; export a surface made of faces.")
     if flat.any():
-        notes.append(f"{int(flat.sum())} triangles without area left out")
+        notes.append(f"{counted(int(flat.sum()), 'triangle')} without area left out")
         triangles, uv = triangles[~flat], None if uv is None else uv[~flat]
     if closed and np.einsum("fi,fi", triangles[:, 0], np.cross(triangles[:, 1], triangles[:, 2])) < 0:
         triangles, uv = triangles[:, ::-1], None if uv is None else uv[:, ::-1]
@@ -174,6 +174,10 @@ def tidy(path: Path, triangles: np.ndarray, kind: str, left_out: list[str], uv: 
     notes.append("no texture coordinates: maps are laid on from the six sides of a cube" if uv is None else
                  "with texture coordinates")
     return Mesh(path.name, frozen(triangles), closed, "; ".join(notes), None if uv is None else frozen(uv))
+
+
+def counted(count: int, what: str) -> str:
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def frozen(triangles: np.ndarray) -> np.ndarray:

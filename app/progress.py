@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-TABLES = ("steps", "answers", "settings")
+TABLES = ("steps", "answers", "settings", "exercises")
 VERSION = 1
 PATIENCE = 0.5  # seconds to wait for another window
 Data = dict[str, Any]

@@ -12,6 +12,7 @@ from app import prediction
 from app.breaking import broken, values_of
 from app.catalog import BOARD, LoadedStep, chapters, step, steps
 from app.edit import Function, among_values, functions, source_of
+from app.exercises import of_step, taught
 from app.lesson import Break, Number, Plot
 from app.paths import LESSONS
 from app.prediction import Answer
@@ -37,6 +38,7 @@ class Entry:
     minutes: float = 0.0
     beyond: bool = False
     fault: str = ""
+    exercises: tuple[str, ...] = ()  # chapter/name of those the step teaches
 
 
 class Session:
@@ -171,7 +173,8 @@ class Session:
                 found_step.id, the.title, loaded.number, loaded.chapter.title, found_step.id == self.current.id,
                 visit is not None or bool(kept and kept.visited(found_step.id)),
                 visit.answer.stage == "revealed" if visit else bool(kept and kept.answer(found_step.id)),
-                the.minutes, the.beyond))
+                the.minutes, the.beyond,
+                exercises=tuple(name for name, one in of_step(found_step).items() if taught(found_step, one))))
         return tuple(sorted(entries, key=lambda entry: entry.number))
 
     # --- what one changes --------------------------------------------------------------------------------------------
@@ -300,6 +303,19 @@ class Session:
         else:
             self.visit.texts[name] = text
         self.revision += 1
+
+    def try_out(self, texts: dict[str, str]) -> None:
+        """The texts of an exercise stand before all others while it is open; those that this step does not compile are
+        left out."""
+        wanted = {name: text for name, text in texts.items() if name in self.functions} if texts else {}
+        if wanted != self.visit.tried:
+            self.visit.tried = wanted
+            self.revision += 1
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """What is to stand in the place of functions: what was typed in this step, before it an open exercise."""
+        return {**self.visit.texts, **self.visit.tried}
 
     def run(self, texts: dict[str, str]) -> None:
         """These compile: numbers, plots and badges follow them."""

@@ -6,11 +6,12 @@ message back to what a person wrote.
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from app.paths import GLSL
 from app.problem import Problem, near
@@ -37,18 +38,18 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Include:
-    name: str
-    number: int  # of its line
-
-
-@dataclass(frozen=True)
 class Source:
     """A text a person wrote somewhere else than below glsl/: a lesson's scene, a student's file."""
 
     text: str
     file: str
     first: int = 1
+
+
+@dataclass(frozen=True)
+class Include:
+    name: str
+    number: int  # its line
 
 
 Overrides = tuple[tuple[str, Source], ...]  # (what #include names, what is read in its place), in order of names
@@ -101,73 +102,70 @@ def read(name: str) -> str:
 
 def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Line]:
     """The lines of a text with its includes put in, depth first, each file once."""
+    return list(walk(lines_of, Source(text, file, first), overrides or {}))
+
+
+def declarations(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Block]:
+    """The same as top-level declarations; a file's own are cut once, however many programs include it."""
+    return list(walk(blocks_of, Source(text, file, first), overrides or {}))
+
+
+def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides: dict[str, Source]) -> Iterator[Any]:
     done: set[str] = set()
 
-    def walk(text: str, file: str, first: int, path: tuple[str, ...]) -> list[Line]:
-        lines: list[Line] = []
-        for piece in pieces(text, file, first):
-            if not isinstance(piece, Include):
-                lines += piece
+    def inside(source: Source, path: tuple[str, ...]) -> Iterator[Any]:
+        for part in read_in(source):
+            if not isinstance(part, Include):
+                yield part
                 continue
-            name, where = piece.name, f"{file}, line {piece.number}"
+            name, where = part.name, f"{source.file}, line {part.number}"
             if name in path:
                 raise Problem(f"{where}: a circle of includes: {' -> '.join((*path, name))}.")
             if name in done:
                 continue
             try:
-                inner = (overrides or {}).get(name) or Source(read(name), f"glsl/{name}")
+                inner = overrides.get(name) or Source(read(name), f"glsl/{name}")
             except Problem as problem:
                 raise Problem(f"{where}: {problem}") from None
-            lines += walk(inner.text, inner.file, inner.first, (*path, name))
+            yield from inside(inner, (*path, name))
             done.add(name)
-        return lines
 
-    return walk(text, file, first, ())
+    return inside(source, ())
 
 
-@lru_cache(1024)
-def pieces(text: str, file: str, first: int) -> tuple[tuple[Line, ...] | Include, ...]:
-    """A text's lines, with the includes between them; kept, because a scene's programs read the same texts."""
-    found: list[tuple[Line, ...] | Include] = []
-    lines: list[Line] = []
-    written = text.split("\n")
-    for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), first):
+@lru_cache(512)
+def lines_of(source: Source) -> tuple[Line | Include, ...]:
+    found: list[Line | Include] = []
+    written = source.text.split("\n")
+    for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), source.first):
         if match := INCLUDE.match(code):
-            found += [tuple(lines), Include(match[1], number)]
-            lines = []
+            found.append(Include(match[1], number))
         elif code.lstrip().startswith("#include"):
-            raise Problem(f'{file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
+            raise Problem(f'{source.file}, line {number}: {code.strip()} is not like #include "optics/cone.glsl".')
         else:
-            lines.append(Line(line, file, number))
-    return (*found, tuple(lines))
+            found.append(Line(line, source.file, number))
+    return tuple(found)
+
+
+@lru_cache(512)
+def blocks_of(source: Source) -> tuple[Block | Include, ...]:
+    """Includes stand between declarations."""
+    found: list[Block | Include] = []
+    for included, group in groupby(lines_of(source), lambda part: isinstance(part, Include)):
+        run = list(group)
+        found += run if included else blocks(run)  # type: ignore[arg-type]
+    return tuple(found)
 
 
 def blocks(lines: list[Line]) -> list[Block]:
     """Cut lines into top-level declarations: each ends where a ';' or '}' stands outside all braces."""
     found: list[Block] = []
-    rest: tuple[Line, ...] = ()
-    for _, run in groupby(lines, lambda line: line.file):
-        made, rest = cut(tuple(run))
-        if has_code(rest):  # it goes on in an included file
-            whole, rest = cut(tuple(lines))
-            found = [*whole]
-            break
-        found += made
-    if has_code(rest):
-        found.append(closed(rest))
-    return found
-
-
-@lru_cache(4096)
-def cut(lines: tuple[Line, ...]) -> tuple[tuple[Block, ...], tuple[Line, ...]]:
-    """The whole declarations, and the lines after the last of them."""
-    found: list[Block] = []
     open_lines: list[Line] = []
-    depth = 0
+    depth, brace = 0, None
     for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
-        if open_lines and line.file != open_lines[-1].file and not has_code(open_lines):
-            open_lines = []  # remarks at the end of a file belong to nothing in the next
         open_lines.append(line)
+        if depth == 0 and "{" in code:
+            brace = line
         depth += code.count("{") - code.count("}")
         if depth < 0:
             raise Problem(f"{line.file}, line {line.number}: a }} that closes nothing.")
@@ -176,22 +174,14 @@ def cut(lines: tuple[Line, ...]) -> tuple[tuple[Block, ...], tuple[Line, ...]]:
         if depth == 0 and (whole.endswith((";", "}")) or directive) and not whole.endswith("\\"):
             found.append(block(open_lines))
             open_lines = []
-    return tuple(found), tuple(open_lines)
-
-
-def closed(lines: Sequence[Line]) -> Block:
-    """What a text ends with, which no ';' or '}' needs to end."""
-    depth, brace = 0, lines[0]
-    for line, code in zip(lines, strip_comments([line.text for line in lines]), strict=True):
-        if depth == 0 and "{" in code:
-            brace = line
-        depth += code.count("{") - code.count("}")
-    if depth:
+    if depth and brace:
         raise Problem(f"{brace.file}, line {brace.number}: a {{ that is never closed.")
-    return block(lines)
+    if has_code(open_lines):
+        found.append(block(open_lines))
+    return found
 
 
-def has_code(lines: Sequence[Line]) -> bool:
+def has_code(lines: list[Line]) -> bool:
     return any(code.strip() for code in strip_comments([line.text for line in lines]))
 
 
@@ -200,7 +190,7 @@ def strip_comments(lines: list[str]) -> list[str]:
     return text.split("\n")
 
 
-def block(lines: Sequence[Line]) -> Block:
+def block(lines: list[Line]) -> Block:
     code = "\n".join(strip_comments([line.text for line in lines])).strip()
     words = frozenset(WORD.findall(code))
     function = SIGNATURE.search(code)
@@ -230,10 +220,10 @@ def declared(code: str) -> frozenset[str]:
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
              entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
     """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
-    parts = blocks(resolve(text, file, first, overrides))
+    found = declarations(text, file, first, overrides)
     wanted, queue = {*entry, ALWAYS}, [*entry, ALWAYS]
     by_name: dict[str, list[Block]] = {}
-    for part in parts:
+    for part in found:
         for name in part.names:
             by_name.setdefault(name, []).append(part)
     while queue:
@@ -241,12 +231,12 @@ def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = 
             for word in part.words - wanted:
                 wanted.add(word)
                 queue.append(word)
-    kept = [part for part in parts if part.names & wanted]
+    kept = [part for part in found if part.names & wanted]
     lines = tuple(line for part in kept for line in part.lines)
     used = {line.file for line in lines}
-    named = {line.file for part in parts for line in part.lines}
+    named = {line.file for part in found for line in part.lines}
     names = [next(iter(p.names)) for p in kept if p.is_function]
-    out = [next(iter(p.names)) for p in parts if p.is_function and not p.names & wanted and p.lines[-1].file != file]
+    out = [next(iter(p.names)) for p in found if p.is_function and not p.names & wanted and p.lines[-1].file != file]
     return Assembled("\n".join((*header, *(line.text for line in lines))) + "\n", lines, len(header),
                      tuple(sorted(used - {file})), tuple(sorted(named - used - {file})),
                      tuple(dict.fromkeys(names)), tuple(dict.fromkeys(out)))

@@ -17,6 +17,7 @@ class Visit:
     plot: int = 0  # which of the step's plots is shown
     texts: dict[str, str] = field(default_factory=dict)  # function -> what was typed in its place, right or wrong
     aside: dict[str, str] = field(default_factory=dict)  # what was typed before the course's text was restored
+    tried: dict[str, str] = field(default_factory=dict)  # of an exercise that is open: they stand before `texts`
     running: dict[str, str] = field(default_factory=dict)  # the last texts that compiled: what is shown
     decided: dict[str, bool] = field(default_factory=dict)  # in or out by hand, not by the scene
     past: list[Snapshot] = field(default_factory=list)

@@ -173,7 +173,7 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
     values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
     leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
-                         without={"f_material": "f_material_schlick"}),),
+                         without={"f_material": "f_material_schlick"}, of="of the light"),),
     minutes=6,
 )
 
@@ -806,32 +806,32 @@ vec4 probe(int i) {
     ),
     plot=(
         Curves(
-            title="The roughness a pixel must use", sweep="bumps", y_label="roughness m",
+            title="The roughness a pixel must use", sweep="bumps", y_label="roughness m", tab="m",
             curves=(Curve("what it hides, added", Term("m_pixel"), role="estimate"),
                     Curve("the facets alone", Term("m_effective", {"bump_slope": 0.0}), role="printed")),
         ),
         Curves(
-            title="The highlight from afar", sweep="theta_h", y_label="D, per steradian",
+            title="The highlight from afar", sweep="theta_h", y_label="D in 1/sr", tab="D",
             curves=(Curve("counted, 2000 bumps", Term("d_bumps_counted", {"facets": 2000})),
                     Curve("m_eff", Term("d_filtered"), role="estimate"), Curve("Toksvig", Term("d_toksvig"), role="printed")),
         ),
         Curves(
-            title="Error at the highlight's middle", sweep="samples", y_label="relative error", y_scale="log",
+            title="Error at the highlight's middle", sweep="samples", y_label="relative error", y_scale="log", tab="error",
             curves=(Curve("N random places, RMS", Term("sampling_error")),
                     Curve("m_eff, one evaluation", Term("filter_error"), role="estimate")),
         ),
     ),
     readouts=(
-        Readout("picture off, one place", Term("ball_error", {"filtering": 0}), role="printed", unit="of white"),
-        Readout("N places", Term("ball_error", {"filtering": 1}), unit="of white"),
-        Readout("m_eff", Term("ball_error", {"filtering": 2}), role="estimate", unit="of white"),
-        Readout("Toksvig", Term("ball_error", {"filtering": 3}), role="estimate", unit="of white"),
+        Readout("off, one place", Term("ball_error", {"filtering": 0}), role="printed", unit="of white"),
+        Readout("off, N places", Term("ball_error", {"filtering": 1}), unit="of white"),
+        Readout("off, m_eff", Term("ball_error", {"filtering": 2}), role="estimate", unit="of white"),
+        Readout("off, Toksvig", Term("ball_error", {"filtering": 3}), role="estimate", unit="of white"),
     ),
     ask=Prediction(
         question="A bumpy mirror seen from afar: is it a mirror? Polished to m = 0.1, with bumps of slope 0.2, it will look as if it "
                  "had which m?",
         truth=Term("m_effective", {"m": 0.1, "bump_slope": 0.2}),
-        unit="m", low=0.0, high=1.0,
+        unit="", low=0.0, high=1.0,
         sets={"m": 0.1, "bump_slope": 0.2, "bumps": 1500.0},
         told="0.30: no mirror at all. Its polish, 0.01 of 0.09 in m², hardly counts any more.",
     ),
@@ -931,12 +931,12 @@ vec4 probe(int i) {
     ),
     plot=(
         Curves(
-            title="Roughness along the row of the point", sweep="map_s", y_label="roughness m",
+            title="Roughness along the row of the point", sweep="map_s", y_label="roughness m", tab="row",
             curves=(Curve("as stored", Term("stored_roughness")),
                     Curve("read as sRGB", Term("roughness_as_srgb"), role="printed")),
         ),
         Curves(
-            title="What a stored number costs, read wrongly", sweep="encoded", y_label="times too large", y_scale="log",
+            title="What a stored number costs, read wrongly", sweep="encoded", y_label="times too large", y_scale="log", tab="cost",
             curves=(Curve("highlight of a roughness, decoded", Term("peak_gain"), role="printed"),
                     Curve("a colour, not decoded", Term("srgb_gap"), role="estimate")),
         ),
@@ -1018,8 +1018,9 @@ vec3 lit(vec3 n, vec3 v, int read) { // an irradiance of pi: white and matt is 1
 vec3 shade(Surface s) {
     vec3 n = normalize(s.value.xyz);
     if (dot(n, s.normal) < 0.0) n = -n;
-    if (shows == 1) return diverging(dot(lit(n, s.v, mapped) - lit(n, s.v, 2), vec3(2.0 / 3.0)));
-    vec3 light = lit(n, s.v, dot(s.position, aside()) < 1.4 * wipe ? mapped : 2);
+    vec3 ours = lit(n, s.v, mapped), theirs = lit(n, s.v, 2);
+    if (shows == 1) return diverging(dot(ours - theirs, vec3(2.0 / 3.0)));
+    vec3 light = dot(s.position, aside()) < 1.4 * wipe ? ours : theirs;
     return 1.0 - exp(-1.3 * light - 0.02 * COPPER); // a little even light
 }
 
@@ -1123,8 +1124,8 @@ vec3 lamp() { return vec3(-0.12, -0.8, distance); }
 
 vec3 surface_point(int surface, vec2 s) {
     if (surface == 0) return vase_point(AXIS, s);
-    if (surface == 1) return vec3(3.9 * s.x - 2.0, 2.3 * s.y - 1.25, 0.0);
-    if (surface == 4) return vec3(3.9 * s.x - 2.0, 1.05, 2.7 * s.y);
+    if (surface == 1) return vec3(4.4 * s.x - 2.1, 2.3 * s.y - 1.25, 0.0);
+    if (surface == 4) return vec3(4.4 * s.x - 2.1, 1.05, 2.7 * s.y);
     float a = PI * s.y, turn = 2.0 * PI * s.x;
     return lamp() + 0.09 * vec3(sin(a) * vec2(cos(turn), sin(turn)), cos(a));
 }
@@ -1191,7 +1192,7 @@ vec4 probe(int i) { return vec4(lamp() + vec3(i == 0 ? 0.0 : 0.22, 0.0, 0.0), 1.
         marks=(Mark("cable", colour="quiet"), Mark("height", colour="l", line="dotted", width=0.8)),
         labels=(Label("Φ", 1, "l"),),
         handles=(Handle("the lamp", 0, ("distance",)),),
-        camera=Camera(azimuth=-90, elevation=18, distance=9, target=(-0.05, 0.0, 0.95), field_of_view=20),
+        camera=Camera(azimuth=-90, elevation=18, distance=9.4, target=(0.03, 0.0, 0.95), field_of_view=20),
         meshes=("knot", "sphere", "bowl", "cube"),
         tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
     ),

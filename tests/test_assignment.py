@@ -45,6 +45,8 @@ def test_a_lecturers_own_file(tmp_path):
     ('"fresnel"', '"frensel"', "mine.toml: chapter is 'frensel'; there is no such chapter. Did you mean fresnel?"),
     ('"f_schlick"', '"f_shlick"', "task 1 (f_shlick) names no function of the course. Did you mean f_schlick"),
     ("points = 2", "points = -2", "mine.toml: task 1 (f_schlick) points is -2; right is a number above 0."),
+    ("points = 2", "points = nan", "mine.toml: task 1 (f_schlick) points is nan; right is a number above 0."),
+    ("2026-12-01T23:59:00+01:00", "2026-12-01", "mine.toml: due is 2026-12-01; right is a time with its zone"),
     ("points = 2", "", "mine.toml: task 1 (f_schlick) has no points; right is a number above 0."),
     ("points = 2", "points = 2\npiont = 3", "task 1 (f_schlick) has the key piont, which says nothing here"),
     ("f0 = [0.02, 0.9]", "f0 = [0.9, 0.02]", "region 1 (all), f0 = [0.9, 0.02]: [0.9, 0.02] is no range; right is the "

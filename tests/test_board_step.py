@@ -83,6 +83,13 @@ def test_the_first_ones_are_on_and_a_broken_one_is_told():
         step("board/lambret")
 
 
+def test_a_file_that_cannot_be_drawn_takes_no_place(tmp_path):
+    broken = [write_file(tmp_path, f"x{i}.brdf", "analytic") for i in range(MOST)]
+    found = step(id_of([*broken, "lambert", "ggx"]))
+    assert [one.on for one in found.entries] == [False] * MOST + [True] * 2
+    assert all(one.fault for one in found.entries[:MOST])
+
+
 def test_what_was_set_stays_when_a_model_comes_or_goes():
     before, after = step("board/lambert+ggx"), step("board/phong+ggx+-lambert")
     values = defaults(before) | {"model0_rho": 0.1, "model1_alpha": 0.2, "theta_l": 1.0}

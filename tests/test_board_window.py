@@ -61,6 +61,11 @@ def test_a_file_is_dropped_examined_and_left(tmp_path):
         frames(engine, 4)
         assert [one.label for one in session.current.entries] == ["tinted", "bad"]
         assert "line 8" in session.current.entries[1].fault and session.values["model0_n"] == 2.0
+        mesh = tmp_path / "one.obj"
+        mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        window.dropped.append(str(mesh))
+        frames(engine, 4)
+        assert session.values["stands"] == 1 and window.message.startswith("one.obj: 1 triangle;"), "and is seen"
         on_gl(engine, window, lambda: window.board.change([(good, True), ("cook_torrance", True)]))
         frames(engine, 4)
         assert session.current.step.title == "tinted, cook_torrance" and session.values["model0_n"] == 2.0

@@ -139,6 +139,17 @@ def test_every_twin_can_be_asked(name):
         assert name in ask(name, *words)
 
 
+def test_a_map_is_a_picture_or_the_pattern_made_here(tmp_path):
+    from PIL import Image
+
+    Image.new("RGB", (4, 4), (51, 51, 51)).save(tmp_path / "rough.png")
+    assert "0.2" in ask("stored_roughness", "map_s=0.3", "map_t=0.4", f"roughness_map={tmp_path / 'rough.png'}",
+                        "--backend", "both")
+    assert ask("stored_roughness", "map_s=0.3", "map_t=0.4")
+    with pytest.raises(Problem, match="no file"):
+        ask("stored_roughness", "map_s=0.3", "map_t=0.4", "roughness_map=nowhere.png")
+
+
 def test_a_million_points_are_quick():
     args = {"half_angle": np.linspace(0, np.pi, 10**6).astype(np.float32)}
     times = []

@@ -168,7 +168,15 @@ def test_an_include_in_a_remark_is_no_end_of_the_window(ctx):
     found, known = step(STEP), edit.functions(step(STEP))
     text = known["d_beckmann"].text.replace("//", '// #include "x"')
     edits = edit.overrides({"d_beckmann": text}, known, edit.source_of(found))
-    with pytest.raises(Problem, match="^your d_beckmann, line 2: an #include stands on a line of its own.$"):
+    with pytest.raises(Problem, match=r"^your d_beckmann, line 2: an #include stands on a line of its own\.$"):
+        Stage(ctx, edit.source_of(found)).rewrite(edits)
+
+
+def test_a_function_that_calls_itself_is_named(ctx):
+    found, known = step(STEP), edit.functions(step(STEP))
+    text = known["d_beckmann"].text.replace("return ", "return d_beckmann(n, h, m) + ", 1)
+    edits = edit.overrides({"d_beckmann": text}, known, edit.source_of(found))
+    with pytest.raises(Problem, match=r"^your d_beckmann, line 1: d_beckmann calls itself, which GLSL"):
         Stage(ctx, edit.source_of(found)).rewrite(edits)
 
 

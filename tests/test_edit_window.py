@@ -71,3 +71,25 @@ def test_a_formula_is_edited_broken_restored_and_saved():
     drive(test, start=STEP)
     again = drive(lambda engine, window: until(engine, window, lambda: bool(window.session.visit.running)), start=STEP)
     assert "2.0 * m" in again.session.text("d_beckmann")
+
+
+@pytest.mark.parametrize("step, function", [("plausible_shading/compare", "f_material"),
+                                            ("lights/area_exact?light_height=3", "irradiance_light")])
+def test_a_scene_that_does_without_something_is_edited_all_the_same(step, function):
+    def test(engine, window):
+        frames(engine, 4)
+        session, own = window.session, window.own
+        assert any(one.is_out for one in own.decided)
+
+        def typed(name: str) -> None:
+            mine = session.functions[name].text.replace("return ", "return 0.0 * ", 1)
+            on_gl(engine, window, lambda: session.type(name, mine))
+            until(engine, window, lambda: name in session.visit.running or bool(own.wrong))
+            frames(engine, 3)
+            assert not own.wrong and not own.fault and name in session.visit.running, own.wrong
+
+        typed("shade")
+        typed(function)
+        assert not any(one.is_out and function in one.of.without for one in own.decided)
+
+    drive(test, start=step)

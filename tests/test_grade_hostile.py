@@ -85,6 +85,11 @@ def test_a_hostile_submission_gets_its_verdict(case, school):
         assert f"line {header[2]}:" in reply.said, reply.said
 
 
+def test_loops_cut_off_by_the_renderer_are_told(school):
+    for name in ("47_endless_with_effect", "47_two_loops", "48_too_many_steps", "48_some_points"):
+        assert "its loops were cut off" in school["replies"][HERE / "glsl" / f"{name}.glsl"].said
+
+
 def test_the_neighbours_keep_their_marks(school):
     for reply in school["neighbours"]:
         assert reply.verdict == "" and np.array_equal(reply.values, school["baseline"]["python"].values)

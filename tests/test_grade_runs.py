@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import signal
+import struct
 import subprocess
 import sys
 import time
@@ -14,9 +15,11 @@ import pytest
 
 from app import __main__ as cli
 from app.grade import conversation, level, sandbox, store, work
+from app.grade.assignment import load
 from app.grade.command import cell, folder_of
 from app.grade.executor import DaskExecutor, LocalExecutor
 from app.grade.level import Level
+from app.grade.questions import questions
 from app.paths import ROOT
 
 SMALL = """title = "Small"
@@ -68,7 +71,9 @@ def rows(results: Path) -> dict[str, list[str]]:
 
 
 def everything(results: Path) -> dict[str, bytes]:
-    found = [results / "marks.csv", *sorted((results / "students").rglob("*.json"))]
+    """Every file but the store, and the scores for a platform, which tell when the marks were set."""
+    found = [path for path in sorted(results.rglob("*")) if path.is_file() and path.name != "lti_scores.json"
+             and "store" not in path.relative_to(results).parts]
     return {path.relative_to(results).as_posix(): path.read_bytes() for path in found}
 
 
@@ -86,6 +91,42 @@ def test_a_class_is_graded_the_same_on_one_worker_and_on_two(tmp_path, assignmen
     assert result["grader"]["level"] == level.found().name and not result["grader"]["unsandboxed"]
     assert "\ns\n" not in str(result) and result["seed"]["hidden_hash"]
     assert "8 submissions: 4 passed, 4 failed, 0 ungraded. Isolation L" in capsys.readouterr().out
+
+
+SPIES = {  # how an answer would spell out what it was asked
+    "words": "import numpy as np\n\n\ndef f_schlick(l_dot_h, f0):\n    raise ValueError(repr(l_dot_h[:9].tolist()))\n",
+    "syntax": "def f_schlick(l_dot_h, f0):\n    raise SyntaxError('x', ('', 1, 1, repr(list(l_dot_h[:9]))))\n",
+    "import": "import os\nraise ValueError(os.pread(0, 250, os.fstat(0).st_size - 250).hex())\n",
+    "constant": "def f_schlick(l_dot_h, f0):\n    return 0 * f0 + l_dot_h[0]\n",
+    "factor": "def f_schlick(l_dot_h, f0):\n    return (f0 + (1 - f0) * (1 - l_dot_h)**5) * (3 + l_dot_h.max())\n",
+}
+
+
+def test_hidden_points_are_in_no_message(tmp_path, assignment):
+    for student, text in SPIES.items():
+        (tmp_path / "spies" / student).mkdir(parents=True)
+        (tmp_path / "spies" / student / "submission.py").write_text(text)
+    assert grade(assignment, tmp_path / "spies", "-o", tmp_path / "r", "--seed", "s") == 0
+    found = load(assignment)
+    shapes = [{word for one in asked for x in one.args["l_dot_h"] for word in (
+        f"{x:.4g}"[:6], struct.pack("<d", x).hex())} for asked in (
+        questions(found), questions(found, "s", hidden=True))]
+    for student in SPIES:
+        result = json.loads((tmp_path / "r" / "students" / student / "result.json").read_text())
+        hidden = [test for test in result["tests"] if test["visibility"] == "hidden"]
+        told = json.dumps(result["tests"])
+        assert hidden and not any(one in told for one in shapes[1] - shapes[0]), (student, told)
+        assert not any(test["worst"] or "factor 3" in test["message"] for test in hidden), (student, hidden)
+
+
+def test_a_table_of_the_visible_points_earns_nothing(tmp_path, assignment):
+    one = next(one for one in questions(load(assignment)))
+    table = {float(x): float(y) for x, y in zip(one.args["l_dot_h"], load(assignment).tasks[0].reference(**one.args),
+                                                strict=True)}
+    (tmp_path / "table.py").write_text(f"import numpy as np\nT = {table}\n\n\ndef f_schlick(l_dot_h, f0):\n"
+                                       "    return np.array([T.get(x, 0.5) for x in l_dot_h])\n")
+    assert grade(assignment, tmp_path / "table.py", "-o", tmp_path / "r", "--seed", "s") == 0
+    assert float(rows(tmp_path / "r")["table"][0]) < 0.05 * 4
 
 
 def test_a_killed_run_goes_on_and_ends_with_the_same_bytes(tmp_path, assignment, handed_in):

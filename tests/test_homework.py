@@ -79,6 +79,30 @@ def test_check_says_what_was_asked_what_is_wrong_and_what_it_looks_like(capsys, 
     assert "missing: there is no function f_dielectric" in " ".join(out.split())
 
 
+def test_a_vector_is_plotted_by_the_component_that_is_wrong():
+    text = "import numpy as np\ndef reflection_vector(n, l):\n    return l - 2 * np.sum(n * l, -1)[:, None] * n\n"
+    plot = next(one for one in findings(load("brdfs"), "python", text) if one.task.function == "reflection_vector").plot
+    assert " of the answer, by angle of l" in plot.label
+    assert np.allclose(plot.got, -plot.expected, atol=1e-12) and np.max(np.abs(plot.expected)) > 0.1
+
+
+@pytest.mark.parametrize(("line", "advice"), [
+    ("return math.cos(l_dot_h)", "use numpy's, np.cos for math.cos"),
+    ("return f0 if l_dot_h > 0 else 1", "use np.where"),
+    ("return list(f0)", "np.array(...) makes one"),
+])
+def test_a_beginners_error_comes_with_advice(line, advice):
+    text = f"import math\ndef f_schlick(l_dot_h, f0):\n    {line}\n"
+    found = findings(load("fresnel"), "python", text, plot=False)[0]
+    assert advice in found.said
+
+
+def test_a_missing_semicolon_is_looked_for_a_line_above():
+    text = "float f_schlick(float l_dot_h, float f0) {\n    float x = f0\n    return x;\n}\n"
+    said = findings(load("fresnel"), "glsl", text, plot=False)[0].said
+    assert "line 3" in said and "is one missing at the end of the line above?" in said
+
+
 def test_check_in_json(capsys, tmp_path):
     file = tmp_path / "mine.py"
     file.write_text(WRONG, "utf-8")
@@ -164,7 +188,7 @@ def test_the_window_checks_what_is_typed_in_the_background():
     checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])  # typed on while the first is checked
     shown = checker.wait(60)
     assert not checker.busy and shown.text == TRIANGLE.solutions["glsl"] and shown.ok
-    assert all(good for good, _ in shown.lines) and len(shown.lines) >= 6
+    assert all(good for good, _ in shown.checks) and len(shown.checks) >= 6
     checker.ask("solid_angle/triangle", TRIANGLE.solutions["glsl"])
     assert not checker.busy, "the same text is not asked again"
 
@@ -176,7 +200,7 @@ def test_the_window_checks_what_is_typed_in_the_background():
 ])
 def test_what_is_typed_wrongly_is_told_at_its_own_line(text, words):
     shown = exercises.verdicts("solid_angle/triangle", text)
-    assert not shown.ok and not shown.lines[0][0] and words in shown.lines[0][1], shown.lines
+    assert not shown.ok and not shown.checks[0][0] and words in shown.checks[0][1], shown.checks
 
 
 def test_included_text_leaves_the_other_lines_where_they_are():

@@ -7,7 +7,7 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 import pytest
 
-from app.grade import agree, picture, properties
+from app.grade import agree, late, picture, properties
 from app.grade.assignment import assignments, load
 from app.grade.judge import judge
 from app.grade.question import Reply
@@ -44,6 +44,14 @@ def test_the_reference_has_all_points(name):
     assert (result.score, result.max, result.verdict) == (LOADED[name].points, LOADED[name].points, "pass")
     assert 0 < result.visible_max < result.max and result.visible_score == result.visible_max
     assert result.suspects == () and all(test.verdict == "pass" and not test.message for test in result.tests)
+
+
+@every
+def test_the_reference_in_single_precision_has_all_points(name):
+    with np.errstate(all="ignore"):
+        single = [replace(one, values=one.values.astype(np.float32).astype(float)) for one in right(name)]
+    result = judged(name, single)
+    assert result.score == result.max, [test for test in result.tests if test.verdict != "pass"]
 
 
 def echo(question, last=False):
@@ -258,9 +266,9 @@ def test_the_late_rule():
     one = replace(LOADED["fresnel"], due=due, late_per_day=0.1, late_days=3)
     shares = {hours: one.share_when(due + timedelta(hours=hours)) for hours in (-5, 0, 1, 24, 25, 72, 73)}
     assert shares == {-5: 1, 0: 1, 1: 0.9, 24: 0.9, 25: 0.8, 72: pytest.approx(0.7), 73: 0}
-    result = judge(one, ASKED["fresnel"], right("fresnel"), dict.fromkeys((q.id for q in ASKED["fresnel"]), 1.0),
-                   handed_in=due + timedelta(hours=1))
-    assert result.score == pytest.approx(8.1) and result.max == 9
+    marks = late.applied({"score": 9.0, "visible_score": 4.0, "max": 9.0}, one, due + timedelta(hours=1))
+    assert (marks["score"], marks["visible_score"], marks["max"], marks["late_share"]) == (8.1, 3.6, 9, 0.9)
+    assert late.applied({"score": None}, one, due + timedelta(days=9))["score"] is None
 
 
 def test_speed_pays_when_it_is_right():

@@ -7,7 +7,8 @@ from PIL import Image
 from app import maps, meshes, tables
 from app.__main__ import main
 from app.catalog import step
-from app.export.still import data, shot
+from app.export.shooting import shot
+from app.export.still import data
 from app.gpu.context import context
 from app.gpu.evaluate import evaluate
 from app.optics.colour import linear_to_srgb, srgb_to_linear

@@ -98,10 +98,10 @@ def test_a_slider_of_the_scene_costs_no_plot_and_the_other_way_round():
 
     def test(engine, window):
         window.go("solid_angle/patch")
-        pictures, plots = moved(engine, window, "samples", 500)
+        pictures, plots = moved(engine, window, "samples", window.session.values["samples"] + 100)
         assert pictures >= 1 and plots == 0
         window.go("radiometry/radiant_intensity")
-        pictures, plots = moved(engine, window, "radiant_flux", 25.0)
+        pictures, plots = moved(engine, window, "radiant_flux", window.session.values["radiant_flux"] * 1.25)
         assert pictures == 0 and plots >= 1
 
     drive(test)

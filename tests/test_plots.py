@@ -11,10 +11,10 @@ import pytest
 
 from app.lesson import Camera, Curve, Curves, Faces, Figure, ImageSlice, Lobes, Model, Sheet, Slice, Term
 from app.plots import PlotDied, PlotProcess, picture
-from app.plots.curves import colour_of
 from app.plots.dashes import along, dashed
 from app.plots.look import Look
 from app.plots.models import Scale, lit
+from app.plots.roles import colour_of
 from app.plots.sweep import Sweep, linear_frame
 from app.plots.ticks import Axis, linear_ticks, nice, number
 from app.plots.words import Entry, header, wrapped
@@ -186,7 +186,7 @@ def test_what_is_not_finite_is_counted_and_marked(plots):
 
 def test_curves_that_are_0_everywhere_are_told_in_one_sentence():
     """A logarithmic axis has nothing to show of them; a lamp below the floor makes all of a step's curves so."""
-    from app.plots.curves import nothing_in, notices_of
+    from app.plots.roles import nothing_in, notices_of
 
     plot = Curves("Below the floor", "distance", tuple(
         Curve(name, Term("irradiance_positional", {"radiant_intensity": 1.0, "theta": theta, "source_radius": 0.01}))

@@ -200,6 +200,7 @@ def test_far_away_filtering_wins_and_near_by_nothing_is_wrong():
     one, some, filtered, toksvig = (float(ball_error(1500.0, 0.2, 0.1, 16, k)) for k in range(4))
     assert one > some > 1.5 * filtered and filtered < toksvig < 1.3 * filtered and one > 0.1
     assert all(ball_error(3.0, 0.2, 0.1, 16, k) < 2e-3 for k in range(4))
+    assert all(ball_error(3.0, 0.0, 0.1, 16, k) == 0.0 for k in range(3)), "no bumps, no rounding told as an error"
     middle = [float(ball_error(300.0, 0.2, 0.1, 16, k)) for k in range(3)]
     assert middle[1] < 0.5 * middle[2] < 0.5 * middle[0], "at middle distance the filter blurs what it cannot know"
 

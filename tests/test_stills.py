@@ -20,7 +20,8 @@ from app import VERSION, console, files
 from app.catalog import LoadedStep, chapters, step, steps
 from app.export import corners, gallery, ink, labels, target
 from app.export.png import png
-from app.export.still import data, file_of, framed, reach, run, shot, still
+from app.export.shooting import framed, reach, shot
+from app.export.still import data, file_of, run, still
 from app.export.strip import strip
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
@@ -158,7 +159,7 @@ BROKEN_STEP = LoadedStep(PATCH.loaded, replace(PATCH.step, scene=replace(BROKEN,
 
 def test_faults_are_counted_and_said(ctx, monkeypatch):
     told = []
-    monkeypatch.setattr("app.export.still.notice", lambda picture, faults, pen: told.append(faults) or [])
+    monkeypatch.setattr("app.export.shooting.notice", lambda picture, faults, pen: told.append(faults) or [])
     quiet = np.asarray(shot(BROKEN_STEP, defaults(PATCH), None, SIZE, DARK)).astype(int)
     monkeypatch.undo()
     loud = np.asarray(shot(BROKEN_STEP, defaults(PATCH), None, SIZE, DARK)).astype(int)

@@ -187,12 +187,18 @@ def line(*errors: float) -> Line:
 def test_a_tolerance_is_reached_when_it_is_kept():
     found = line(1e-1, 1e-4, 1e-2, 5e-4, 1e-5)
     assert found.reach(1e-3).rung == 3 and found.reach(1e-2).rung == 1 and found.reach(1e-6) is None
+    found.points[3].times = [9.0]  # the clock wavers, and a smaller error is not reached before a larger one
+    assert found.reach(1e-3).rung == found.reach(1e-4).rung == 4
 
 
 def test_the_winner_is_the_first_in_time_and_not_the_reference():
     slow, fast, exact = line(1e-1, 1e-3), line(1e-3, 1e-5), Line("exact", [Point(1, 1, 0.0, [1e-9])], reference=True)
     record = Record("a/b", "t", "", {}, {"": 1.0}, [slow, fast, exact])
     assert record.winner(1e-3)[0] is fast and record.winner(1e-9) is None
+    assert record.beside(1e-3) == [] == record.beside(1e-9)
+    slow.points[1].times = [1e-3, 8e-3, 9e-3, 9e-3]  # in a quarter of the runs it was as fast
+    fast.points[0].times = [1e-3, 1e-3, 6e-3, 9e-3]
+    assert record.beside(1e-3) == [slow]
 
 
 def test_an_order_has_a_spread():

@@ -7,6 +7,7 @@ import moderngl
 import pytest
 
 from app import catalog, shader
+from app.everything import shading
 from app.gpu.evaluate import point_program
 from app.gpu.stage_text import PARTS, needed, programs
 from app.paths import GLSL
@@ -50,10 +51,14 @@ def texts() -> dict[str, tuple[shader.Assembled, shader.Assembled | None]]:
     for name, (include, signature) in shader.catalogue().items():
         source = point_program(signature, include, None)[0]
         found[f"{include}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
-    lobe = "display/lobe.glsl"  # for scenes with a lobe
-    for name, signature in shader.signatures(shader.read(lobe)).items():
-        source = point_program(signature, lobe, None)[0]
-        found[f"{lobe}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
+    for name, pair in programs(catalog.step("board/cook_torrance").step.scene, header=shader.WEB).items():
+        found[f"a board: {name}"] = pair
+    for file in ("display/lobe.glsl", "display/merl.glsl"):  # for scenes with lobes, and measured matter
+        for name, signature in shader.signatures(shader.read(file)).items():
+            source = point_program(signature, file, None)[0]
+            found[f"{file}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
+    cone = programs(catalog.step("solid_angle/cone").step.scene, header=shader.WEB)["surface"][0]
+    found["everything on"] = cone, shading(shader.WEB)
     return found
 
 

@@ -160,9 +160,8 @@ def words_of(name: str) -> list[tuple[str, bool]]:
 
 
 def id_of(words: list[str]) -> str:
-    """The board of these models, the first ones of them on."""
-    once = list(dict.fromkeys(words)) or [FIRST]
-    return BOARD + name_of([(word, i < MOST) for i, word in enumerate(once)])
+    """The board of these models: the first MOST that can be drawn are on."""
+    return BOARD + name_of([(word, True) for word in dict.fromkeys(words)] or [(FIRST, True)])
 
 
 def started(id: str, given: list[str]) -> str:
@@ -206,7 +205,7 @@ def made(words: tuple[tuple[str, bool], ...], stamps: tuple) -> BoardStep:
                 entries.append(Entry(word, model.name, False, model, prefix=f"model{i}_"))
         except Problem as problem:
             problems.append(problem)
-            entries.append(Entry(word, Path(word).stem, wanted, None, str(problem)))
+            entries.append(Entry(word, Path(word).stem, False, None, str(problem)))
     if not on:
         raise problems[0] if problems else Usage("every model of the board is off; one without a minus is on.")
     return assembled(name_of(list(words)), tuple(entries), peaks)

@@ -78,5 +78,5 @@ def at_45(of: Material) -> list[tuple[str, float, float]]:
     c = 0.5**0.5
     ours = geometry_term(1.0, c, c, c, m, of.arguments.get("geometry", 1))
     alpha = alpha_gltf(of.roughness)
-    return [("D(0)", float(twin("d_beckmann_slope")(0.0, m)), float(twin("d_ggx_slope")(0.0, alpha))),
+    return [("D(0), 1/sr", float(twin("d_beckmann_slope")(0.0, m)), float(twin("d_ggx_slope")(0.0, alpha))),
             ("G at 45°", float(ours), float(twin("g_gltf")(c, c, of.roughness)))]

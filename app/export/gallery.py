@@ -16,7 +16,8 @@ from app.export import target
 from app.export.ink import Ink
 from app.export.markup import anchor
 from app.export.page import Shown, Try, page, state_links
-from app.export.still import constant, data, file_of, known, plotted, shot
+from app.export.shooting import shot
+from app.export.still import constant, data, file_of, known, plotted
 from app.gpu.context import context
 from app.problem import Problem
 from app.readouts import numbers

@@ -10,7 +10,8 @@ from app.export import target
 from app.export.ink import Ink, fitted, length, write
 from app.export.png import png
 from app.export.polar import polar
-from app.export.still import known, shot
+from app.export.shooting import shot
+from app.export.still import known
 from app.ies import Photometry
 from app.lesson import Figure
 from app.problem import Problem

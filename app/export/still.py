@@ -1,14 +1,9 @@
 """One picture of one step: `halfway render`. Loads neither the window nor VTK unless the plot is asked for."""
 
-import math
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
 from PIL import Image
 
 from app import VERSION
@@ -16,30 +11,26 @@ from app.badges import of_model
 from app.breaking import broken, values_of
 from app.catalog import LoadedStep, step
 from app.export import target
-from app.export.corners import entries, legend, notice
-from app.export.ink import Ink, bytes3
-from app.export.labels import COARSE, Clutter, draw_words, place, words
+from app.export.ink import Ink
 from app.export.png import png
+from app.export.shooting import shot
 from app.export.strip import Block, Judged, strip
 from app.gpu.context import context
-from app.gpu.stage import Stage
-from app.gpu.stage_text import Source
-from app.leaving import decisions, lean
-from app.lesson import Camera
+from app.picture_state import KEY
 from app.problem import Usage, near
 from app.readouts import numbers
 from app.state import View, parse, parse_set, write
-from app.theme import THEMES, Theme, rgb
+from app.theme import THEMES, Theme
 
 Part = Literal["scene", "plot", "both"]
+ENDINGS, WHY = (".png", ".svg", ".pdf"), "stills are PNG files, curves also SVG and PDF"
 PARTS: tuple[Part, ...] = ("scene", "plot", "both")
 MESH = "triangles", "texture_coordinates"  # what plots have no use for as values
-FILLED, CUT_OFF, MOST_ZOOM = 0.86, 0.985, 1.7  # how much of a picture a scene fills, and what is done for that
 
 
 def run(options) -> int:
     """options: step (a state string), output, size, set (name=value, ...), view, plot, theme, mesh, ies."""
-    path, size = target.picture_path(options.output), target.size_of(options.size or "1280x720")
+    path, size = target.path_of(options.output, ENDINGS, WHY), target.size_of(options.size or "1280x720")
     theme = THEMES[known("--theme", options.theme or "dark", tuple(THEMES))]
     part: Part = known("--view", options.view or "scene", PARTS)  # type: ignore[assignment]
     state = parse(options.step)
@@ -51,6 +42,11 @@ def run(options) -> int:
         values |= parse_set(text, found)
     values |= data(found, values, options.mesh, getattr(options, "ies", None), getattr(options, "map", None))
     plot = plot_number(found, getattr(options, "plot", None) or "1")
+    if path.suffix.lower() != ".png":
+        if part != "plot":
+            raise Usage(f"{path.name} can hold curves only; add --view plot, or write a .png.")
+        target.write(path, drawing(found, values, size, theme, plot, path.suffix.lower()[1:], state.view))
+        return 0
     picture = still(found, values, state.view, size, theme, part, plot)
     target.write(path, file_of(picture, found, write(found, values, state.view)))
     return 0
@@ -149,66 +145,6 @@ def still(found: LoadedStep, values: dict, view: View | None = None, size: tuple
     return picture
 
 
-def shot(found: LoadedStep, values: dict, view: View | None, size: tuple[int, int], theme: Theme,
-         ink: Ink | None = None, small: bool = False) -> Image.Image:
-    """The scene with its labels, its legend and a notice of its faults; a small one has no words but the notice."""
-    found = lean(found, decisions(found, values))
-    with staged(found, values) as stage:
-        camera = stage.scene.camera
-        camera = framed(stage, values, size, theme) if view in (None, View.of(camera)) else view.camera(camera)
-        return taken(stage, values, camera, size, theme, ink, small)
-
-
-@contextmanager
-def staged(found: LoadedStep, values: dict) -> Iterator[Stage]:
-    stage = Stage(context(), Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
-    try:
-        yield stage
-    finally:
-        stage.release()
-
-
-def taken(stage: Stage, values: dict, camera: Camera, size: tuple[int, int], theme: Theme, ink: Ink | None = None,
-          small: bool = False) -> Image.Image:
-    """The picture a stage gives through a camera, with words."""
-    ink = ink or Ink(theme, size)
-    stage.draw(values, camera, size, theme)
-    picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
-    used = notice(picture, faults, ink)
-    if not small:
-        said = words(stage, values)
-        ends = [(w.at[0] - ink.text, w.at[1] - ink.text, w.at[0] + ink.text, w.at[1] + ink.text) for w in said]
-        clutter = Clutter(picture, ink.colour("background"))
-        used += legend(picture, entries(stage.scene), clutter, ink, used + ends)
-        draw_words(picture, place(said, clutter, ink, size, used), ink)
-    return picture
-
-
-def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> Camera:
-    """The scene's camera with the lens that lets it fill a picture of this size; tried out on a smaller one."""
-    camera, zoom = stage.scene.camera, 1.0
-    tangent = math.tan(math.radians(camera.field_of_view) / 2)
-    for _ in range(3):
-        stage.draw(values, camera, (size[0] // COARSE, size[1] // COARSE), theme, fine=False, counted=False)
-        far = reach(stage, theme)
-        wanted = zoom * min(MOST_ZOOM, FILLED / max(far, 1e-3))
-        if far >= CUT_OFF:
-            wanted = zoom / MOST_ZOOM  # how much more there is cannot be seen yet
-        if abs(wanted / zoom - 1) < 0.03:
-            break
-        zoom = wanted
-        camera = replace(camera, field_of_view=math.degrees(2 * math.atan(tangent / zoom)))
-    return camera
-
-
-def reach(stage: Stage, theme: Theme) -> float:
-    """How far from its middle the stage's last picture is drawn on: 1 at an edge."""
-    background = np.array(bytes3(rgb(theme.background)), np.int16)
-    seen = np.abs(stage.pixels().astype(np.int16) - background).max(-1) > 24
-    ends = [(found, len(line)) for line in (seen.any(0), seen.any(1)) if len(found := np.flatnonzero(line))]
-    return max((abs(2 * edge / n - 1) for found, n in ends for edge in (found[0], found[-1] + 1)), default=FILLED)
-
-
 def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme, plot: int = 0) -> Image.Image:
     """A plot of the step, drawn by the plots' own process."""
     from app import plots
@@ -219,6 +155,15 @@ def plotted(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme
                                          triangles=values.get("triangles")))
 
 
+def drawing(found: LoadedStep, values: dict, size: tuple[int, int], theme: Theme, plot: int, kind: str,
+            view: View | None) -> bytes:
+    """A plot of curves as SVG or PDF."""
+    from app.plots import vector
+
+    ranges = {name: (spec.low, spec.high) for name, spec in found.values.items()}
+    return vector.drawing(found.step.plots[plot], values, size, theme, ranges, kind, write(found, values, view))
+
+
 def file_of(picture: Image.Image, found: LoadedStep, state: str) -> bytes:
     """A PNG file's bytes; what was drawn and how to open it again stand in its text chunks."""
-    return png(picture, {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": state})
+    return png(picture, {"Title": found.step.title, "Software": f"Halfway {VERSION}", KEY: state})

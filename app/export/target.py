@@ -6,7 +6,7 @@ from pathlib import Path
 from app.files import reason, write
 from app.problem import Problem, Usage
 
-__all__ = ["make_folder", "picture_path", "size_of", "write"]
+__all__ = ["make_folder", "path_of", "picture_path", "size_of", "write"]
 
 SMALLEST, LARGEST = 64, 8192  # px of a side
 
@@ -24,9 +24,14 @@ def size_of(text: str) -> tuple[int, int]:
 
 def picture_path(text: str | Path) -> Path:
     """A file to write a PNG to, in a folder that exists."""
+    return path_of(text, (".png",), "stills are PNG files")
+
+
+def path_of(text: str | Path, endings: tuple[str, ...], why: str) -> Path:
+    """A file to write to, with one of the endings, in a folder that exists."""
     path = Path(text).expanduser()
-    if path.suffix.lower() != ".png":
-        raise Usage(f"{path} does not end in .png; stills are PNG files.")
+    if path.suffix.lower() not in endings:
+        raise Usage(f"{path} does not end in {' or '.join(endings)}; {why}.")
     if path.is_dir():
         raise Usage(f"{path} is a folder; name a file in it.")
     if not path.parent.is_dir():

@@ -185,6 +185,13 @@ def compiler_message(message: str, vertex: shader.Assembled, fragment: shader.As
         words = "; ".join(re.findall(r"error:\s*(.+?)\.?\s*$", message, re.M)) or " ".join(message.split())
         return (f"{max(set(own), key=own.count)}: it compiles, but does not link ({words}); "
                 "a loop that never ends, or a function that has no body, does that.")
+    circle = re.search(r"function `\w+ (\w+)\(.*has static recursion", message)
+    if circle:
+        head = re.compile(rf"^\s*\w+\s+{circle[1]}\s*\([^;]*$|^\s*\w+\s+{circle[1]}\s*\(.*\{{")
+        heads = (line for part in (fragment, vertex) if part for line in part.lines if head.match(line.text))
+        at = next(heads, None)
+        where = f"{at.file}, line {at.number}: " if at else ""
+        return f"{where}{circle[1]} calls itself, which GLSL does not allow."
     of_fragment = "fragment_shader" in message and fragment is not None
     lines = shader.translate(message, fragment if of_fragment and fragment else vertex).splitlines()
     more = f"\n(and {len(lines) - 3} more)" if len(lines) > 3 else ""

@@ -241,7 +241,15 @@ class Stage:
         name = name if name in self.programs else program_of(surface)
         self.bind_data(self.programs[name])
         give(self.programs[name], surface=i, opacity=surface.opacity)
-        self.array(name, f"surface {i}").render()
+        array = self.array(name, f"surface {i}")
+        if not surface.mesh or surface.opacity < 1:
+            array.render()
+            return
+        self.ctx.enable(moderngl.CULL_FACE)  # a mesh's far side behind its near one: depth leaves it uncoloured
+        for away in ("back", "front"):
+            self.ctx.cull_face = away
+            array.render()
+        self.ctx.disable(moderngl.CULL_FACE)
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width

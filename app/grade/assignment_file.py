@@ -2,8 +2,9 @@
 
 import hashlib
 import inspect
+import math
 import tomllib
-from datetime import datetime
+from datetime import date, datetime
 from functools import cache
 from pathlib import Path
 
@@ -29,7 +30,8 @@ class Reader:
 
     def wrong(self, key: str, value: object, right: str) -> Usage:
         place = " ".join(part for part in (self.place, key) if part)
-        return Usage(f"{self.file.name}: {place} is {value!r}; right is {right}.")
+        shown = value.isoformat() if isinstance(value, date) else repr(value)
+        return Usage(f"{self.file.name}: {place} is {shown}; right is {right}.")
 
     def take(self, key: str, kind: type, right: str, default: object = None, low: float | None = None,
              high: float | None = None):
@@ -41,6 +43,8 @@ class Reader:
         value = self.table.pop(key)
         number = kind is float and isinstance(value, int)
         if isinstance(value, bool) or not (isinstance(value, kind) or number):
+            raise self.wrong(key, value, right)
+        if kind is float and not math.isfinite(value):
             raise self.wrong(key, value, right)
         if (low is not None and value < low) or (high is not None and value > high):
             raise self.wrong(key, value, right)

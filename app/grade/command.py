@@ -6,32 +6,45 @@ import hashlib
 import io
 import os
 import sys
+from datetime import datetime
 from pathlib import Path
 
 from app import VERSION
-from app.grade import intake, overrides, work
+from app.grade import intake, late, overrides, work
 from app.grade.assignment import Assignment, load
 from app.grade.executor import DaskExecutor, Executor, LocalExecutor
 from app.grade.level import LEVELS, MEANING
+from app.grade.report import everything
+from app.grade.report.stored import Results, class_facts, folder_of
+from app.grade.report.table import cell
+from app.grade.result import SCHEMA
 from app.grade.store import Store, as_bytes, durable, key_of
 from app.problem import Problem, Usage
 
 ATTEMPTS = 3
+NOT_YET = {"verdict": "ungraded", "why": "not graded yet", "tests": []}
 COLUMNS = ("student", "points", "max_points", "status")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("assignment", metavar="ASSIGNMENT", help="its name, or its TOML file")
-    parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of files, folders, zip or tar archives")
-    parser.add_argument("-o", "--output", metavar="RESULTS", required=True, help="the folder for marks.csv and more")
+    parser.add_argument("assignment", metavar="ASSIGNMENT", nargs="?", help="its name, or its TOML file")
+    parser.add_argument("submissions", metavar="SUBMISSIONS", nargs="?",
+                        help="a folder of files, folders, zip or tar archives")
+    parser.add_argument("-o", "--output", metavar="RESULTS", help="the folder for marks.csv and the reports")
     parser.add_argument("--jobs", metavar="N", type=int, default=0, help="submissions at a time; one a processor core")
     parser.add_argument("--scheduler", metavar="ADDRESS", default="", help="a Dask cluster: tcp://HOST:8786")
     parser.add_argument("--seed", metavar="S", default="", help="of the hidden points; else a secret of its own")
+    parser.add_argument("--handed-in", metavar="FILE.csv", default="", help="student,time: for the late rule")
+    parser.add_argument("--report", metavar="RESULTS", help="the reports again, from results that stand")
     parser.add_argument("--resume", action="store_true", help="go on in RESULTS: what is graded stays")
     parser.add_argument("--level", metavar="L1", default="", help=f"of isolation, not the highest: {', '.join(LEVELS)}")
 
 
 def run(options: argparse.Namespace) -> int:
+    if options.report:
+        return report(Path(options.report).expanduser())
+    if not (options.assignment and options.submissions and options.output):
+        raise Usage("name what is graded and where to: halfway grade ASSIGNMENT SUBMISSIONS -o RESULTS.")
     assignment = load(options.assignment)
     if options.level and options.level not in LEVELS:
         raise Usage(f"there is no level {options.level}; there are {', '.join(LEVELS)}.")
@@ -39,6 +52,7 @@ def run(options: argparse.Namespace) -> int:
         raise Usage(f"--jobs {options.jobs}: at least one submission at a time.")
     work.timed_texts(assignment)
     handed_in = intake.students(options.submissions)
+    times = late.read(options.handed_in, assignment, handed_in)
     results = Path(options.output).expanduser()
     executor: Executor = DaskExecutor(options.scheduler) if options.scheduler else LocalExecutor(
         options.jobs or cores())
@@ -46,11 +60,17 @@ def run(options: argparse.Namespace) -> int:
         machine = the_machine(executor, options.level)
         store = Store(results, options.resume, options.seed)
         try:
-            return Class(assignment, handed_in, executor, store, machine, results, options.level).grade()
+            return Class(assignment, handed_in, executor, store, machine, results, options.level, times).grade()
         finally:
             store.close()
     finally:
         executor.close()
+
+
+def report(results: Path) -> int:
+    everything.write(Results(results))
+    print(f"The reports are in {results}: index.html for the class, students/NAME/report.html for each.")
+    return 0
 
 
 def cores() -> int:
@@ -75,10 +95,10 @@ class Class:
     """All submissions of one run."""
 
     def __init__(self, assignment: Assignment, handed_in: dict[str, list[Path]], executor: Executor, store: Store,
-                 machine: dict, results: Path, named: str) -> None:
+                 machine: dict, results: Path, named: str, times: dict[str, datetime]) -> None:
         self.assignment, self.handed_in, self.executor, self.store = assignment, handed_in, executor, store
         self.machine, self.results, self.named = machine, results, named
-        self.by_hand = overrides.read(results)
+        self.by_hand, self.times = overrides.read(results), times
         self.keys: dict[str, str] = {}
         self.facts: dict[str, dict] = {}  # student -> the submission's part of result.json
         self.bodies: dict[str, dict] = {}
@@ -107,6 +127,7 @@ class Class:
                 self.write()
                 raise
         self.write()
+        everything.write(Results(self.results))
         self.tell()
         return 1 if self.counts["ungraded"] else 0
 
@@ -143,7 +164,10 @@ class Class:
 
     def write(self) -> None:
         """marks.csv and every result.json, from what is known; the same bytes whatever way it became known."""
-        bodies = {student: self.bodies.get(key, {"verdict": "ungraded", "why": "not graded yet", "tests": []})
+        blank: dict = {"schema": SCHEMA, "assignment": {"id": self.assignment.id, "hash": self.assignment.digest},
+                       "score": None, "max": self.assignment.points, "visible_score": None, "visible_max": None,
+                       "misconceptions": [], "curves": []}
+        bodies = {student: blank | late.applied(self.bodies.get(key, NOT_YET), self.assignment, self.times.get(student))
                   for student, key in self.keys.items()}
         sharing: dict[str, list[str]] = {}
         for student, key in self.keys.items():
@@ -157,6 +181,7 @@ class Class:
                      "overrides": [self.by_hand[student]] if student in self.by_hand else [],
                      "same_as": [other for other in sorted(sharing[self.keys[student]]) if other != student]}
             durable(self.results / "students" / folder_of(student) / "result.json", as_bytes(whole))
+        durable(self.results / "class.json", as_bytes(class_facts(self.assignment, grader, bodies)))
         durable(self.results / "marks.csv", marks(bodies, self.assignment.points, self.by_hand))
 
     def tell(self) -> None:
@@ -164,13 +189,10 @@ class Class:
         level = self.machine["level"]
         print(f"{len(self.keys)} submissions: {words}. Isolation {level}: {MEANING[level]}."
               + ("" if self.machine["safe"] else " UNSANDBOXED."))
-        print(f"Marks are in {self.results / 'marks.csv'}, each student's result below {self.results / 'students'}.")
-
-
-def folder_of(student: str) -> str:
-    """A folder's name for a student, safe on every system; the name itself where it is plain."""
-    plain = "".join(c if c.isalnum() or c in " -_.@+" else "_" for c in student).rstrip(". ")
-    return plain if plain == student else f"{plain[:80]}-{hashlib.sha256(student.encode()).hexdigest()[:8]}"
+        if self.assignment.due and not self.times:
+            print("Nobody counts as late: when each handed in is said by --handed-in FILE.csv.")
+        print(f"Marks are in {self.results / 'marks.csv'}, the class in {self.results / 'index.html'}, each student's "
+              f"report below {self.results / 'students'}.")
 
 
 def marks(bodies: dict[str, dict], most: float, by_hand: dict[str, dict]) -> bytes:
@@ -185,10 +207,6 @@ def marks(bodies: dict[str, dict], most: float, by_hand: dict[str, dict]) -> byt
         score = "" if body.get("score") is None else f"{body['score']:.6g}"
         table.writerow([cell(student), score, f"{most:.6g}", body["verdict"]])
     return out.getvalue().encode()
-
-
-def cell(text: str) -> str:
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") else text
 
 
 class Watch:

@@ -5,7 +5,7 @@ What a constant or an echoed argument gets right, and every property, pays only 
 """
 
 from collections.abc import Mapping, Sequence
-from datetime import datetime
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from app.grade.result import Result, Suspect, Test, Worst, number
 
 
 def judge(assignment: Assignment, questions: Sequence[Question], replies: Sequence[Reply],
-          times: Mapping[str, float] | None = None, handed_in: datetime | None = None) -> Result:
+          times: Mapping[str, float] | None = None) -> Result:
     """The tests and marks of one submission.
 
     replies: in any order; a question without one is ungraded. times: the processor seconds of the solution at the same
@@ -40,12 +40,29 @@ def judge(assignment: Assignment, questions: Sequence[Question], replies: Sequen
                 best = next((way for way in ways if any(test.verdict == "ungraded" for test in way[0])), best)
             tests += best[0]
             suspects += best[1]
-    share = assignment.share_when(handed_in)
     visible = [test for test in tests if test.visibility == "visible"]
     score, most = total(tests)
     seen, seen_most = total(visible)
-    return Result(assignment.id, assignment.digest, number(score * share), most, number(seen * share), seen_most,
-                  overall(tests), share, tuple(tests), tuple(suspects))
+    return Result(assignment.id, assignment.digest, score, most, seen, seen_most, overall(tests), tuple(tests),
+                  tuple(suspects))
+
+
+def held_to_drawn(task: Task, tests: list[Test]) -> list[Test]:
+    """What a table of known points gets right pays little: a visible test at most twice what its hidden twin earns,
+    the exercise's own points, which are printed, at most twice what the drawn ones earn."""
+    share = {(test.id, test.group): test.score / test.max for test in tests if test.visibility == "hidden" and test.max}
+    held = [at_most(test, 2 * share.get((test.id, test.group), 1.0), "its hidden points")
+            if test.visibility == "visible" else test for test in tests]
+    drawn = {region.name for region in task.regions if region.at is None}
+    score, most = total([test for test in held if test.group == "points" and test.region in drawn])
+    return [at_most(test, 2 * score / most, "the drawn points") if most and test.group == "points"
+            and test.region not in drawn else test for test in held]
+
+
+def at_most(test: Test, share: float, held_to: str) -> Test:
+    if test.score <= share * test.max:
+        return test
+    return replace(test, score=share * test.max, rationale=f"it counts at most twice what {held_to} earn")
 
 
 def total(tests: Sequence[Test]) -> tuple[float, float]:
@@ -90,7 +107,7 @@ class Sheet:
                 found.append(self.of_time(part))
         if not self.suspects and not all(test.verdict == "pass" for test in found):
             self.suspects = self.matches()
-        return found
+        return held_to_drawn(self.task, found)
 
     # --- weights -----------------------------------------------------------------------------------------------------
     def worth(self, weight: float, regions: bool = False, name: str = "") -> float:
@@ -120,6 +137,12 @@ class Sheet:
             return None, Reply(key, None, "runtime_error", said)
         return values, reply
 
+    def precision(self, values: np.ndarray) -> str:
+        """The language whose digits the answers have: Python's count as float32 where float32 holds every one."""
+        with np.errstate(all="ignore"):
+            single = np.array_equal(values, values.astype(np.float32), equal_nan=True)
+        return "glsl" if single and np.any(values) else self.language
+
     def of_points(self, part: str) -> list[Test]:
         task, key = self.task, f"{self.task.function}/{part}/{self.language}"
         if key not in self.asked:
@@ -131,7 +154,7 @@ class Sheet:
                                 one.count) for one in rows if one.kind == "region"] + [
                 self.absent(part, "property", one.name, self.worth(one.weight), reply) for one in task.properties]
         args = self.asked[key].args
-        known, cheap = MEMORY.known(task, args, self.language)
+        known, cheap = MEMORY.known(task, args, self.precision(values))
         right = agrees(known, values)
         asked = np.zeros(len(right), bool)
         for one in rows:
@@ -165,20 +188,22 @@ class Sheet:
             i = at.start + int(np.argmax(far))
             worst = Worst({name: tidy(x[i]) for name, x in args.items()}, tidy(values[i]), tidy(known.value[i]),
                           float(min(far.max(), 1e300)))
-        message = self.sentence(known.part(at), values[at], good, finite) if wrong else ""
+        message = self.sentence(known.part(at), values[at], good, finite, PART[part]) if wrong else ""
         return Test(f"{task.function}/{rows.name}", "points", task.function, rows.name, self.language, part, most,
                     most * share, most, verdict, rows.count, wrong, worst,
                     message_key="" if not wrong else "points_wrong", message=message,
                     rationale="" if agreement == 1 or not np.any(easy) else
                     f"{int(np.sum(easy))} points that a constant gets right count {agreement:.0%}")
 
-    def sentence(self, known: Truth, values, good, finite) -> str:
+    def sentence(self, known: Truth, values, good, finite, hidden: bool) -> str:
+        """How many are wrong, and how; of hidden points without a number that the answer chose: it could be one."""
         wrong = int(np.sum(~good))
         if not np.all(finite):
             return f"{int(np.sum(~finite))} of {len(good)} values are no numbers."
         if wrong == len(values) > 1 and np.all(values == values[0]):
-            return f"{wrong} of {len(good)} points are wrong: every answer is {tidy(values[0])}."
-        factor = misconceptions.factor(known.value[~good], values[~good])
+            one = "the same" if hidden else tidy(values[0])
+            return f"{wrong} of {len(good)} points are wrong: every answer is {one}."
+        factor = misconceptions.factor(known.value[~good], values[~good], hidden)
         return f"{wrong} of {len(good)} points are wrong{factor}."
 
     # --- properties --------------------------------------------------------------------------------------------------
@@ -227,8 +252,9 @@ class Sheet:
         reply = self.first.get(key) or Reply(key, None, "ungraded")
         if reply.verdict or reply.values is None:
             return self.absent(part, "runtime", "speed", most, reply)
-        known, _ = MEMORY.known(task, self.asked[key].args, self.language)
-        agreement = float(np.mean(agrees(known, np.asarray(reply.values, float))))
+        values = np.asarray(reply.values, float)
+        known, _ = MEMORY.known(task, self.asked[key].args, self.precision(values))
+        agreement = float(np.mean(agrees(known, values)))
         limit = task.gross * max(self.times.get(key, np.inf), 1e-3)
         fast = reply.seconds <= limit
         message = "" if fast else f"it takes more than {task.gross:g} times as long as the solution."
@@ -250,7 +276,8 @@ class Sheet:
         if not parts:
             return []
         args = {name: np.concatenate([one[name] for one, _ in parts]) for name in self.task.arguments}
-        return misconceptions.suspects(self.task, self.language, args, np.concatenate([v for _, v in parts]))
+        values = np.concatenate([v for _, v in parts])
+        return misconceptions.suspects(self.task, self.precision(values), args, values)
 
 
 def tidy(x) -> float | list[float]:

@@ -76,12 +76,19 @@ def alone(assignment: Assignment, task: Task) -> Assignment:
 def findings(assignment: Assignment, language: Language, text: str, plot: bool = True) -> list[Finding]:
     """One a function of the assignment, in its order."""
     result, submission = graded(assignment, language, text)
+    found = by_function(assignment, result)
+    return with_plots(found, submission, limits(assignment)) if plot else found
+
+
+def by_function(assignment: Assignment, result: Result) -> list[Finding]:
     found = []
     for task in assignment.tasks:
         tests = tuple(test for test in result.tests if test.function == task.function)
         suspects = tuple(one for one in result.suspects if one.function == task.function)
-        found.append(Finding(task, language, tests, suspects))
-    return with_plots(found, assignment, submission) if plot else found
+        if tests:
+            language: Language = "glsl" if tests[0].language == "glsl" else "python"
+            found.append(Finding(task, language, tests, suspects))
+    return found
 
 
 def graded(assignment: Assignment, language: Language, text: str) -> tuple[Result, Submission]:
@@ -101,14 +108,14 @@ def without_speed(assignment: Assignment) -> Assignment:
     return replace(assignment, tasks=tuple(replace(task, runtime=0.0) for task in assignment.tasks))
 
 
-def with_plots(found: list[Finding], assignment: Assignment, submission: Submission) -> list[Finding]:
+def with_plots(found: list[Finding], submission: Submission, limits: Limits, granted: str = OWN) -> list[Finding]:
     """A plot for every function that has values and is wrong, asked in one more process."""
     plans = {one.task.function: plan for one in found if one.worst and one.worst.worst
              and (plan := sweep.through(one.task, one.worst.worst.args, one.language))}
     if not plans:
         return found
     asked = [plan.question for plan in plans.values()]
-    replies = {reply.id: reply for reply in answer(submission, asked, limits(assignment), granted=OWN)}
+    replies = {reply.id: reply for reply in answer(submission, asked, limits, granted)}
     return [replace(one, plot=sweep.plotted(plan, np.asarray(values)))
             if (plan := plans.get(one.task.function)) and (values := replies[plan.question.id].values) is not None
             else one for one in found]

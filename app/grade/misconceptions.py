@@ -156,8 +156,8 @@ def pattern(form: Callable, right: Truth, args: dict[str, np.ndarray], values: n
     return (share, int(np.sum(lost))) if inside >= 0.5 and np.mean(wrong[calm]) < 0.3 else (0.0, 0)
 
 
-def factor(right: np.ndarray, values: np.ndarray) -> str:
-    """', by the factor π everywhere' where wrong answers are the right ones times one number."""
+def factor(right: np.ndarray, values: np.ndarray, named: bool = False) -> str:
+    """', all by the factor π' where wrong answers are the right ones times one number; `named`: one of FACTORS."""
     with np.errstate(all="ignore"):
         ratio = (values / right).ravel()
     ratio = ratio[np.isfinite(ratio)]
@@ -166,5 +166,5 @@ def factor(right: np.ndarray, values: np.ndarray) -> str:
     middle = float(np.median(ratio))
     if middle == 0 or abs(middle - 1) < CLEAR or np.mean(np.abs(ratio / middle - 1) < CLOSE) < MATCH:
         return ""
-    name = next((name for name, number in FACTORS.items() if abs(middle / number - 1) < CLOSE), f"{middle:.4g}")
-    return f", all by the factor {name}"
+    name = next((name for name, number in FACTORS.items() if abs(middle / number - 1) < CLOSE), "")
+    return "" if named and not name else f", all by the factor {name or f'{middle:.4g}'}"

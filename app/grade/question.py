@@ -27,6 +27,11 @@ class Question:
     def count(self) -> int:
         return len(next(iter(self.args.values())))
 
+    @property
+    def hidden(self) -> bool:
+        """Whether its points are never told; the id is function/part/language."""
+        return "/hidden" in self.id
+
 
 @dataclass(frozen=True)
 class Reply:

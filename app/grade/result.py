@@ -72,7 +72,6 @@ class Result:
     visible_score: float
     visible_max: float
     verdict: str
-    share: float  # what the late rule leaves of the score
     tests: tuple[Test, ...]
     suspects: tuple[Suspect, ...]
 
@@ -80,7 +79,7 @@ class Result:
         """Strict JSON: json.dumps(..., allow_nan=False) takes it."""
         return {"schema": SCHEMA, "assignment": {"id": self.assignment, "hash": self.assignment_hash},
                 "score": number(self.score), "max": number(self.max), "visible_score": number(self.visible_score),
-                "visible_max": number(self.visible_max), "verdict": self.verdict, "late_share": self.share,
+                "visible_max": number(self.visible_max), "verdict": self.verdict,
                 "tests": [line(test) for test in self.tests],
                 "misconceptions": [asdict(one) for one in self.suspects]}
 

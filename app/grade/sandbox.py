@@ -75,7 +75,7 @@ def command(worker: str, layers: tuple[str, ...], limits: Limits, more: dict) ->
     """The launcher's words: what to put on, what may be read, and the worker to go on with."""
     order = {"worker": worker, "layers": layers, "readable": readable(worker) if "landlock" in layers else [],
              "packages": {name: package_files(name)[0] for name in PACKAGES[worker]}, "cpu": limits.cpu,
-             "memory": limits.memory, "parent": os.getpid(), **more}
+             "memory": limits.memory, "threads": worker != "worker_python", "parent": os.getpid(), **more}
     return [os.path.realpath(sys.executable), "-I", "-S", "-B", str(CHILD / "launch.py"), json.dumps(order)]
 
 

@@ -26,7 +26,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class Sweep:
-    """Values along an axis; of a colour or a vector the length."""
+    """Values along an axis; of a colour or a vector the component that lies off farthest."""
 
     label: str
     at: np.ndarray
@@ -34,6 +34,33 @@ class Sweep:
     here: float
     expected: np.ndarray
     got: np.ndarray
+
+    @property
+    def ends(self) -> tuple[float, float, bool] | None:
+        """The ends of the axis of values, and whether it is logarithmic; None where there is nothing to show."""
+        return ends(self.expected, self.got)
+
+
+def ends(right: np.ndarray, yours: np.ndarray) -> tuple[float, float, bool] | None:
+    sound = right[np.isfinite(right)]
+    if not len(sound):
+        return None
+    log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
+    return *limits(sound, yours[np.isfinite(yours)], log), log
+
+
+def limits(right: np.ndarray, yours: np.ndarray, log: bool) -> tuple[float, float]:
+    """The ends of the axis: all right values, and the student's where they are not too far off."""
+    low, high = float(right.min()), float(right.max())
+    if log:
+        low = max(low, high * 1e-12)
+        near = yours[(yours >= low / 30) & (yours <= high * 30)]
+    else:
+        room = 4 * max(high - low, 0.25 * max(abs(high), abs(low)), 1e-300)
+        near = yours[(yours >= low - room) & (yours <= high + room)]
+    if len(near):
+        low, high = min(low, float(near.min())), max(high, float(near.max()))
+    return (low, high) if high > low else (low - 1.0, high + 1.0) if not log else (low / 2, low * 2)
 
 
 def through(task: Task, args: dict, language: Language) -> Plan | None:
@@ -98,7 +125,13 @@ def plan(task: Task, name: str, args: dict, numbers, at, label: str, log: bool, 
 def plotted(given: Plan, values: np.ndarray) -> Sweep:
     with np.errstate(all="ignore"):
         right = np.asarray(given.task.reference(**given.question.args), float)
-    return Sweep(given.label, given.at, given.log, given.here, flat(right), flat(values))
+    label, i = given.label, 0
+    if right.ndim > 1:
+        with np.errstate(all="ignore"):
+            i = int(np.argmax(np.nanmax(np.where(np.isfinite(values), np.abs(values - right), -1.0), 0)))
+        label = f"{'xyzw'[i]} of the answer, by {label}"
+        right, values = right[:, i], values[:, i]
+    return Sweep(label, given.at, given.log, given.here, right, values)
 
 
 def flat(values: np.ndarray) -> np.ndarray:

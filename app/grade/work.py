@@ -15,10 +15,11 @@ import numpy as np
 
 from app import VERSION
 from app.grade import assignment as assignments
-from app.grade import intake, level, questions, texts
+from app.grade import intake, level, live, questions, sweep, texts
+from app.grade.discretion import answered
 from app.grade.judge import judge
 from app.grade.question import FILES, Language, Question
-from app.grade.result import Result, line
+from app.grade.result import Result, line, plain
 from app.grade.sandbox import Limits
 from app.grade.supervisor import answer
 from app.problem import Problem
@@ -92,8 +93,9 @@ def grade(job: dict) -> dict:
         found, all_of = asked(job["assignment"], job["digest"], job["seed"])
         limits = Limits(cpu=max(1, round(found.seconds)))
         solution = times(job["assignment"], job["digest"], job["seed"], job["level"])
-        result = judge(found, all_of, answer(submission, all_of, limits, job["level"]), solution)
-        body = as_json(result)
+        result = judge(found, all_of, answered(submission, all_of, limits, job["level"]), solution)
+        shown = live.with_plots(live.by_function(found, result), submission, limits, job["level"])
+        body = as_json(result) | {"curves": [curve(one.task.function, one.plot) for one in shown if one.plot]}
     except Exception as error:  # ours, whatever it is: the student loses nothing by it
         body = {"verdict": "ungraded", "score": None, "tests": [], "why": f"{type(error).__name__}: {error}"[:500]}
     now = os.times()
@@ -110,6 +112,15 @@ def as_json(result: Result) -> dict:
     if result.verdict == "ungraded":  # no number that somebody could take for a mark
         found["score"] = found["visible_score"] = None
     return found
+
+
+def curve(function: str, plot: sweep.Sweep) -> dict:
+    """Through a function's worst visible point, to the digits that a picture of it shows."""
+    def rough(values: np.ndarray) -> list:
+        return plain([float(f"{value:.5g}") for value in np.asarray(values, float)])
+
+    return {"function": function, "label": plot.label, "log": plot.log, "here": plain(float(plot.here)),
+            "at": rough(plot.at), "expected": rough(plot.expected), "got": rough(plot.got)}
 
 
 def png(pixels: np.ndarray) -> str:

@@ -9,10 +9,10 @@ from pathlib import Path
 from app.grade.assignment import Assignment, assignments, load
 from app.grade.live import Finding, findings
 from app.grade.question import Language
+from app.grade.report.words import numbers, spoken
 from app.grade.result import Test, plain
 from app.homework.plot import drawn
 from app.problem import Problem, Usage
-from app.quantities import TABLE, shown
 
 LANGUAGE: dict[str, Language] = {".py": "python", ".glsl": "glsl"}
 MARK = re.compile(r"halfway homework: *([\w./-]+)")
@@ -99,19 +99,6 @@ def worst(test: Test) -> list[str]:
     at = ", ".join(f"{name} = {spoken(name, value)}" for name, value in test.worst.args.items())
     return [*wrapped(f"The worst point ({test.region}): {at}"),
             f"expected  {numbers(test.worst.expected)}", f"got       {numbers(test.worst.got)}"]
-
-
-def spoken(name: str, value) -> str:
-    if isinstance(value, list) or name not in TABLE:
-        return numbers(value, 6)
-    unit = TABLE[name].screen_unit
-    return f"{numbers(shown(name, value), 6)}{unit if unit == '°' else f' {unit}' if unit else ''}"
-
-
-def numbers(value, digits: int = 9) -> str:
-    if isinstance(value, list):
-        return "(" + ", ".join(numbers(one, digits) for one in value) + ")"
-    return f"{value:.{digits}g}"
 
 
 def wrapped(text: str) -> list[str]:

@@ -1,7 +1,9 @@
 """`halfway homework`: which assignments there are, a file to start from, and the test of the tests."""
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from app.grade.assignment import Assignment, Task, assignments, load
 from app.grade.question import FILES
@@ -63,7 +65,8 @@ def new(assignment: Assignment, language: str) -> int:
     return 0
 
 
-def starter(assignment: Assignment, language: str) -> str:
+def starter(assignment: Assignment, language: str, texts: Mapping[str, str] = MappingProxyType({})) -> str:
+    """The file to hand in: a text for each function, the stub where there is none."""
     from app.grade.texts import imported, joined, stub
 
     mark = COMMENT[language]
@@ -75,7 +78,7 @@ def starter(assignment: Assignment, language: str) -> str:
         head.append("// Functions only: no #include, no uniforms. Every function is called once a point, in float32.")
     parts = []
     for task in assignment.tasks:
-        lines = stub(task, language).split("\n")
+        lines = texts.get(task.function, stub(task, language)).split("\n")
         code = "\n".join(line for line in lines if not imported(line)).lstrip("\n")
         first = [line for line in lines if imported(line)] if language == "python" else []
         parts.append((task.function, "\n".join([*first, *intended(task, language), code])))

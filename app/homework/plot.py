@@ -10,15 +10,12 @@ WIDTH, HEIGHT = 64, 11
 
 def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
     """Lines of text: the plot, its axes' ends and a legend. Values that are no numbers leave a gap, and are counted."""
-    right, yours = sweep.expected, sweep.got
-    sound = right[np.isfinite(right)]
-    if not len(sound):
+    if sweep.ends is None:
         return []
-    log = bool(np.all(sound > 0)) and float(np.percentile(sound, 90) / np.percentile(sound, 10)) > 1e3
-    low, high = limits(sound, yours[np.isfinite(yours)], log)
+    low, high, log = sweep.ends
     rows = [[" "] * width for _ in range(height)]
     outside = 0
-    for values, glyph in ((right, RIGHT), (yours, YOURS)):
+    for values, glyph in ((sweep.expected, RIGHT), (sweep.got, YOURS)):
         for i, value in enumerate(values):
             column = round(i * (width - 1) / (len(values) - 1))
             if not np.isfinite(value) or (log and value <= 0):
@@ -44,20 +41,6 @@ def drawn(sweep: Sweep, width: int = WIDTH, height: int = HEIGHT) -> list[str]:
     if outside:
         legend += f"   ({outside} of yours lie outside or are no numbers)"
     return [*lines, f"{'':>{edge}}  {legend}"]
-
-
-def limits(right: np.ndarray, yours: np.ndarray, log: bool) -> tuple[float, float]:
-    """The ends of the axis: all right values, and the student's where they are not too far off."""
-    low, high = float(right.min()), float(right.max())
-    if log:
-        low = max(low, high * 1e-12)
-        near = yours[(yours >= low / 30) & (yours <= high * 30)]
-    else:
-        room = 4 * max(high - low, 0.25 * max(abs(high), abs(low)), 1e-300)
-        near = yours[(yours >= low - room) & (yours <= high + room)]
-    if len(near):
-        low, high = min(low, float(near.min())), max(high, float(near.max()))
-    return (low, high) if high > low else (low - 1.0, high + 1.0) if not log else (low / 2, low * 2)
 
 
 def short(value: float) -> str:

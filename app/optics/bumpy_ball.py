@@ -14,6 +14,7 @@ from app.optics.ndf import d_blinn_phong_slope
 from app.optics.scale_effect import PIXELS, bump_kept, normal_shortfall
 
 PLACES, TRUTH = 64, 224
+ROUNDING = 1e-15  # an error below is one of the sums
 LIGHT = 0.19  # what D becomes in the scene before the screen bends it
 _A, _B = 0.5257311121191336, 0.8506508083520399
 _WAVES = np.array([[0, _A, _B], [0, -_A, _B], [_A, _B, 0], [-_A, _B, 0], [_B, 0, _A], [_B, 0, -_A]])
@@ -79,7 +80,8 @@ def _error(bumps, bump_slope, m, samples, filtering):
             found = d_blinn_phong_slope(slope2, e * (1 - short) / (1 - short + e * short))
         else:
             found = d_beckmann_slope(slope2, np.sqrt(m * m + hidden))
-    return np.sqrt(np.mean((np.exp(-LIGHT * found) - np.exp(-LIGHT * truth)) ** 2))
+    off = np.sqrt(np.mean((np.exp(-LIGHT * found) - np.exp(-LIGHT * truth)) ** 2))
+    return off if off > ROUNDING else 0.0
 
 
 def ball_error(bumps, bump_slope, m, samples, filtering):

@@ -6,18 +6,16 @@ import numpy as np
 import pyvista as pv
 from PIL import Image, ImageDraw
 
-from app.lesson import Camera, Curve, Curves
+from app.lesson import Camera, Curves
 from app.plots.dashes import along, dashed
 from app.plots.dots import rimmed, stamp
-from app.plots.look import Look, Rgb, bytes3
-from app.plots.sweep import Sweep, Swept, widened
+from app.plots.look import Look, bytes3
+from app.plots.roles import colour_of, nothing_in, notices_of, samples, y_title
+from app.plots.sweep import Sweep, widened
 from app.plots.ticks import number
 from app.plots.words import SHAPES, Entry, dot_size, font, line_of_words
 from app.spoken import axis_title
 
-COLOUR = {"exact": "exact", "estimate": "estimate", "printed": "printed"}
-LINES = {"exact": ("solid", "dashed", "dotted"), "printed": ("dashdot", "dotted", "dashed"),
-         "estimate": ("circle", "cross", "diamond", "square")}  # the second of a role still differs without colour
 NOT_FINITE = 1.0, 0.18, 0.82  # magenta, as in the scene
 
 
@@ -28,10 +26,7 @@ class CurvesPart:
         self.x_ticks: tuple[list[float], list[str]] = ([], [])
         self.y_ticks: tuple[list[float], list[str]] = ([], [])
         self.samples = samples(plot, self.sweep.exact if plot.error else None)
-        self.y_title = plot.y_label
-        if plot.error and self.sweep.exact is not None:
-            exact = plot.curves[self.sweep.exact].label
-            self.y_title += f" against {exact}; 0 drawn at {number(self.sweep.floor)}"
+        self.y_title = y_title(plot, self.sweep)
 
     @property
     def entries(self) -> list[Entry]:
@@ -146,23 +141,6 @@ class CurvesPart:
         return np.degrees(values) if self.sweep.q.is_angle else np.asarray(values, float)
 
 
-def colour_of(curve: Curve, look: Look) -> Rgb:
-    return look.colour(curve.colour or COLOUR[curve.role])
-
-
-def samples(plot: Curves, left_out: int | None) -> list[str]:
-    """How each curve is drawn; "" for the exact one that errors are taken against."""
-    found, used = [], dict.fromkeys(LINES, 0)
-    for i, curve in enumerate(plot.curves):
-        if i == left_out:
-            found.append("")
-            continue
-        kinds = LINES[curve.role]
-        found.append(kinds[used[curve.role] % len(kinds)])
-        used[curve.role] += 1
-    return found
-
-
 def spaced(places: np.ndarray, apart: float) -> np.ndarray:
     """Those of the places (n, 2) that are far enough from the one before, so that dots stay dots."""
     kept: list[np.ndarray] = []
@@ -170,27 +148,6 @@ def spaced(places: np.ndarray, apart: float) -> np.ndarray:
         if not kept or np.hypot(*(place - kept[-1])) >= apart:
             kept.append(place)
     return np.reshape(kept, (-1, 2))
-
-
-def nothing_in(curves: list[Swept]) -> list[str]:
-    """One short sentence for all curves of which a logarithmic axis has nothing to show."""
-    labels = [f"“{c.curve.label}”" for c in curves if c.not_positive and c.not_positive == len(c.y)]
-    if not labels:
-        return []
-    which = f"{labels[0]} is" if len(labels) == 1 else f"{len(labels)} of {len(curves)} curves are"
-    return [f"{which} 0 everywhere"]
-
-
-def notices_of(curve: Swept) -> list[str]:
-    found = []
-    count = int(curve.not_finite.sum())
-    if count:
-        found.append(f"“{curve.curve.label}”: {count} {'point is' if count == 1 else 'points are'} not finite")
-    if curve.cut:
-        found.append(f"“{curve.curve.label}” goes up to {curve.cut:.3g} and is cut")
-    if 0 < curve.not_positive < len(curve.y):
-        found.append(f"“{curve.curve.label}”: {curve.not_positive} not above 0, off a logarithmic axis")
-    return found
 
 
 def set_ticks(axis, positions: list[float], labels: list[str]) -> None:

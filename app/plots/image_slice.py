@@ -10,15 +10,13 @@ from app.hemisphere import NORMAL, apart
 from app.lesson import Camera, ImageSlice
 from app.optics.spherical import direction
 from app.plots.dots import rimmed
-from app.plots.look import Look, bytes3
+from app.plots.look import SLICE_DECADES, TICKS_D, TICKS_H, Look, bytes3
 from app.plots.models import Legend, Lit, dot, lit, notices
 from app.plots.ticks import number
 from app.plots.words import Entry, colour_bar, font
 
-CELLS, DECADES = 160, 4
+CELLS = 160
 STEADY = 0.8  # of theta_d: nearer to grazing a model may grow without end, which must not darken all else
-TICKS_H = (0, 2, 5, 10, 20, 30, 45, 60, 90)  # degrees; small angles take more room
-TICKS_D = (0, 30, 60, 90)
 
 
 class ImageSlicePart:
@@ -45,7 +43,7 @@ class ImageSlicePart:
         if self.legend is None:
             return None
         unit = self.shown[0].unit
-        ends = [number(self.top * 10.0**-k) for k in (DECADES, DECADES / 2, 0)]
+        ends = [number(self.top * 10.0**-k) for k in (SLICE_DECADES, SLICE_DECADES / 2, 0)]
         bar = colour_bar(self.look, self.look.sequential(), "θ_h right, θ_d up, φ_d = 90°",
                          (f"≤ {ends[0]}", ends[1], f"{ends[2]}{unit}"))
         return np.concatenate([bar, self.legend.strip(self.shown, "")[self.legend.high:]])
@@ -72,7 +70,7 @@ class ImageSlicePart:
         look, em, (high, wide) = self.look, self.look.small, picture.shape[:2]
         left, right, upper, lower = 2.8 * em, wide - 1.4 * em, 0.8 * em, high - 1.9 * em
         with np.errstate(divide="ignore"):
-            share = 1 + np.log10(np.maximum(np.nan_to_num(self.f, nan=0, posinf=0), 1e-300) / self.top) / DECADES
+            share = 1 + np.log10(np.maximum(np.nan_to_num(self.f, nan=0, posinf=0), 1e-300) / self.top) / SLICE_DECADES
         colours = look.sequential()[np.clip(share * 255, 0, 255).astype(int)]
         size = max(2, round(right - left)), max(2, round(lower - upper))
         painted = Image.fromarray(np.round(255 * colours[::-1]).astype(np.uint8))

@@ -5,14 +5,13 @@ import pyvista as pv
 
 from app.lesson import Camera, Lobes
 from app.plots.dots import rimmed
-from app.plots.look import Look
+from app.plots.look import REACH, Look
 from app.plots.models import Legend, Lit, Scale, dot, lit, notices, unit_of
 from app.plots.shell import base_disk
 from app.plots.space import aim, fill, grid_faces, grid_normals, light, on_picture, polyline
 from app.plots.words import Entry, labelled
 
 ROWS, COLUMNS = 64, 128
-REACH = 1.22  # how long the arrows are; a lobe's longest is 1
 
 
 class LobesPart:

@@ -9,6 +9,10 @@ from app.theme import Theme, colour, rgb
 
 REFERENCE = 420  # px of a plot's shorter side in a window of 1280x720, for which a theme's sizes are meant
 DIVERGING = {"dark": "#3A414C", "light": "#DEDED8", "projector": "#E4E4E4"}  # where a diverging map is 0
+REACH = 1.22  # how long a lobe plot's arrows are; a lobe's longest is 1
+SLICE_DECADES = 4  # of an image slice, from its darkest to its brightest
+TICKS_H = (0, 2, 5, 10, 20, 30, 45, 60, 90)  # degrees, of an image slice; small angles take more room
+TICKS_D = (0, 30, 60, 90)
 
 Rgb = tuple[float, float, float]
 

@@ -86,7 +86,11 @@ class PlotProcess:
             raise ValueError("a plot needs a size and a theme, here or when its process is started")
         self.count += 1
         size = int(self.size[0]), int(self.size[1])
-        wish = Wish(plot, only(values, plotted(plot)), size, self.theme, dict(ranges or {}), camera, triangles, fine,
+        try:
+            shown = only(values, plotted(plot))
+        except Problem:  # a twin that does not exist: the process says so in the plot's place
+            shown = dict(values)
+        wish = Wish(plot, shown, size, self.theme, dict(ranges or {}), camera, triangles, fine,
                     fresh, self.count)
         with self.lock:
             self.wish = self.last = wish

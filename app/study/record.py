@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
+from itertools import takewhile
 
 import numpy as np
 
@@ -58,13 +59,11 @@ class Line:
     stopped: str = ""  # why it did not climb on
 
     def reach(self, tolerance: float) -> Point | None:
-        """The first rung from which on every error is at most the tolerance; None where it did not reach."""
-        found = None
-        for point in reversed(self.points):
-            if not point.error <= tolerance:
-                break
-            found = point
-        return found
+        """The fastest rung of those from which on every error is at most the tolerance; None where it did not reach.
+
+        Times waver: of two rungs that both are there the dearer may have been measured as the faster."""
+        kept = takewhile(lambda point: point.error <= tolerance, reversed(self.points))
+        return min(kept, key=lambda point: point.time, default=None)
 
     @property
     def order(self) -> tuple[float, float] | None:
@@ -98,6 +97,15 @@ class Record:
         """The method that is there first; the reference does not compete, it is what the others are measured by."""
         there = [(line, point) for line in self.lines if not line.reference and (point := line.reach(tolerance))]
         return min(there, key=lambda found: found[1].time, default=None)
+
+    def beside(self, tolerance: float) -> list[Line]:
+        """The methods that may be as fast: their quartiles overlap with the winner's."""
+        winner = self.winner(tolerance)
+        if winner is None:
+            return []
+        first, at = winner
+        return [line for line in self.lines if line is not first and not line.reference
+                and (point := line.reach(tolerance)) and point.spread[0] <= at.spread[1]]
 
     @property
     def name(self) -> str:

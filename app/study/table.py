@@ -36,6 +36,9 @@ def wins(record: Record) -> str:
     for tolerance in TOLERANCES:
         winner = record.winner(tolerance)
         words = f"{winner[0].label} ({duration(1e3 * winner[1].time)}, N = {winner[1].samples})" if winner else "nobody"
+        close = [line.label for line in record.beside(tolerance)]
+        if close:
+            words += f", hardly before {close[0] if len(close) == 1 else f'{len(close)} others'}"
         found.append(f"{number(tolerance)}: {words}")
     exact = [line for line in record.lines if line.reference and line.points]
     also = f"; the closed form needs {duration(1e3 * exact[0].points[0].time)}" if exact else ""

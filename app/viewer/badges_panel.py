@@ -14,6 +14,7 @@ from app.lesson import Model
 from app.terms import is_yours
 from app.theme import colour
 from app.viewer import glfw, style
+from app.viewer.marks import mark
 
 SMALL = 0.9  # of the text on a projector, where the column is narrow for it
 KEPT = 64  # results, so that a slider's way back costs nothing
@@ -43,35 +44,64 @@ class BadgesPanel:
         imgui.spacing()
         large = self.app.theme.name == "projector"
         imgui.push_font(None, (SMALL if large else 1.0) * imgui.get_style().font_size_base)
-        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
-        if imgui.begin_table("badges", 1 + len(NAMES), flags):
-            imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
-            for name in NAMES:
-                imgui.table_setup_column(name)
-            imgui.table_next_row()
-            for i, name in enumerate(NAMES, 1):
-                imgui.table_set_column_index(i)
-                imgui.text_disabled(SHORT[name])
-                if imgui.is_item_hovered():
-                    imgui.set_tooltip(ASKED[name])
-            for model in found.step.models:
-                self.row(found.id, model, values, hidden)
-            imgui.end_table()
+        (self.beside if fits(found.step.models) else self.stacked)(found.step.models, values, hidden)
         imgui.pop_font()
 
-    def row(self, step: str, model: Model, values: dict, hidden: bool) -> None:
-        now = self.known.get(key(model, values))
-        if now is not None:
-            self.last[step, model.label] = now
-        shown = now or self.last.get((step, model.label))
+    def beside(self, models: tuple[Model, ...], values: dict, hidden: bool) -> None:
+        """The name in the first column, badges behind it."""
+        flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
+        if not imgui.begin_table("badges", 1 + len(NAMES), flags):
+            return
+        imgui.table_setup_column("model", imgui.TableColumnFlags_.width_stretch)
+        for name in NAMES:
+            imgui.table_setup_column(name)
         imgui.table_next_row()
         imgui.table_next_column()
+        self.heads()
+        for model in models:
+            imgui.table_next_row()
+            imgui.table_next_column()
+            self.name(model, values)
+            self.badges(model, values, hidden)
+        imgui.end_table()
+
+    def stacked(self, models: tuple[Model, ...], values: dict, hidden: bool) -> None:
+        """For large letters in a narrow column: a name on a line of its own, all badges below it, in equal columns."""
+        for i, model in enumerate((None, *models)):
+            if model:
+                self.name(model, values)
+            if imgui.begin_table(f"badges {i}", len(NAMES), imgui.TableFlags_.sizing_stretch_prop):
+                for name in NAMES:  # as wide as their heads, in every table
+                    wide = imgui.calc_text_size(SHORT[name]).x
+                    imgui.table_setup_column(name, imgui.TableColumnFlags_.width_stretch, wide)
+                imgui.table_next_row()
+                if model:
+                    self.badges(model, values, hidden)
+                else:
+                    self.heads()
+                imgui.end_table()
+
+    def heads(self) -> None:
+        for name in NAMES:
+            imgui.table_next_column()
+            imgui.text_disabled(SHORT[name])
+            if imgui.is_item_hovered():
+                imgui.set_tooltip(ASKED[name])
+
+    def name(self, model: Model, values: dict) -> None:
         size, at = imgui.get_font_size(), imgui.get_cursor_screen_pos()
         ink = style.u32(colour(model.colour, self.app.theme))
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
         mine = is_yours(model.term, values)
         imgui.text_wrapped(model.label + (", yours" if mine else ", the course's" if EDITED in values else ""))
+
+    def badges(self, model: Model, values: dict, hidden: bool) -> None:
+        """A cell of the table for each."""
+        step, now = self.app.session.current.id, self.known.get(key(model, values))
+        if now is not None:
+            self.last[step, model.label] = now
+        shown = now or self.last.get((step, model.label))
         for name in NAMES:
             imgui.table_next_column()
             badge = shown[name] if isinstance(shown, dict) and not hidden else None
@@ -86,29 +116,17 @@ class BadgesPanel:
                 imgui.set_tooltip(told(name, badge) + ("\nClick to go there." if goes else ""))
 
     def badge(self, id: str, badge: Badge | None, faded: bool) -> None:
-        """A round one with a tick, a square one with a cross, or an empty ring; never by colour alone."""
-        size, theme, draw = imgui.get_font_size(), self.app.theme, imgui.get_window_draw_list()
-        at, r = imgui.get_cursor_screen_pos(), 0.46 * size
+        """Its mark, that can be clicked."""
+        size, at = imgui.get_font_size(), imgui.get_cursor_screen_pos()
         if imgui.invisible_button(id, ImVec2(1.05 * size, 1.05 * size)) and badge is not None and badge.at:
             self.app.stand(badge.at)
         x, y = at.x + 0.5 * size, at.y + 0.5 * size
-        shade, wide = 0.45 if faded else 1.0, 0.12 * size
+        mark(x, y, None if badge is None else badge.ok, self.app.theme, 0.45 if faded and badge else 1.0)
         if badge is None:
-            draw.add_circle(ImVec2(x, y), 0.8 * r, style.u32(colour("quiet", theme), shade), 0, 0.6 * wide)
             return
-        ground = style.u32(colour("v" if badge.ok else "r", theme), shade)
-        ink = style.u32((1.0, 1.0, 1.0), shade)
-        if badge.ok:
-            draw.add_circle_filled(ImVec2(x, y), r, ground)
-            strokes = ((-0.45, 0.02, -0.1, 0.4), (-0.16, 0.4, 0.5, -0.4))
-        else:
-            side = 0.92 * r
-            draw.add_rect_filled(ImVec2(x - side, y - side), ImVec2(x + side, y + side), ground, 0.2 * r)
-            strokes = ((-0.42, -0.42, 0.42, 0.42), (-0.42, 0.42, 0.42, -0.42))
-        for x0, y0, x1, y1 in strokes:
-            draw.add_line(ImVec2(x + x0 * r, y + y0 * r), ImVec2(x + x1 * r, y + y1 * r), ink, wide)
         if imgui.is_item_hovered() or imgui.is_item_focused():
-            draw.add_circle(ImVec2(x, y), 1.35 * r, style.u32(colour("foreground", theme)), 0, 0.5 * wide)
+            ring = style.u32(colour("foreground", self.app.theme))
+            imgui.get_window_draw_list().add_circle(ImVec2(x, y), 0.62 * size, ring, 0, 0.06 * size)
 
     def ask(self, models: tuple[Model, ...], values: dict) -> None:
         """One job at a time, for the first model whose badges are not known. Models of the board are dear, and wait
@@ -141,6 +159,14 @@ def job(wanted: tuple, model: Model, values: dict) -> tuple[tuple, dict[str, Bad
         return wanted, of_model(model, values)
     except Exception as error:  # whatever a twin does, the window goes on
         return wanted, f"{type(error).__name__}: {error}"
+
+
+def fits(models: tuple[Model, ...]) -> bool:
+    """Whether the longest word of the names has room before the badges."""
+    cells = sum(imgui.calc_text_size(SHORT[name]).x + 2 * imgui.get_style().cell_padding.x for name in NAMES)
+    words = [word for model in models for word in model.label.split()]
+    longest = max(imgui.calc_text_size(word).x for word in words) + 1.5 * imgui.get_font_size()
+    return cells + longest <= imgui.get_content_region_avail().x
 
 
 def middle(width: float) -> None:

@@ -1,11 +1,13 @@
 """The quiet line below: steps back and on, a message, what has a key."""
 
+from collections.abc import Callable
+
 from imgui_bundle import imgui
 
 from app.viewer import controls, style
 
-BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Reset", "r"), ("Copy state", "c"), ("Theme", "t"),
-           ("Keys", "?"))
+BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Exercise", "x"), ("Reset", "r"),
+           ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
 
 
 def draw(app) -> None:
@@ -24,14 +26,38 @@ def draw(app) -> None:
     of_course = bool(step.chapter.steps)
     imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
                         if of_course else step.chapter.title.lower())
+    buttons = [one for one in BUTTONS if one[1] != "x" or app.exercise.own]
+    padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
+    right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8
     if app.message:
         imgui.same_line()
-        controls.badge(app.message, style.ink("printed", app.theme))
+        shown = cut(app.message, right - imgui.get_cursor_pos_x() - padding, lambda text: imgui.calc_text_size(text).x)
+        controls.badge(shown, style.ink("printed", app.theme))
         if imgui.is_item_clicked():
             app.message = ""
-    padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
-    imgui.same_line(imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in BUTTONS) - 8)
-    for label, key in BUTTONS:
+        elif shown != app.message and imgui.is_item_hovered():
+            whole(app.message)
+    imgui.same_line(right)
+    for label, key in buttons:
         if imgui.button(label):
             app.do(key)
         imgui.same_line()
+
+
+def cut(text: str, room: float, width: Callable[[str], float]) -> str:
+    """As much of the first line as the room takes, with dots where something is left out."""
+    line = text.partition("\n")[0]
+    if line == text and width(text) <= room:
+        return text
+    while line and width(line + "…") > room:
+        line = line[:-1]
+    return line.rstrip() + "…"
+
+
+def whole(text: str) -> None:
+    """All of a message that was cut, in a tooltip above the line."""
+    imgui.begin_tooltip()
+    imgui.push_text_wrap_pos(34 * imgui.get_font_size())
+    imgui.text(text)
+    imgui.pop_text_wrap_pos()
+    imgui.end_tooltip()

@@ -1,17 +1,21 @@
 """What stands on the stage: the step's scene with its mesh and its tables, or the user's own files in their place."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from app import edit, leaving, maps, tables
-from app.board.board_step import MOST, name_of, words_of
+from app.board.board_step import MOST, name_of
 from app.board.models import FILES
 from app.catalog import BOARD, LoadedStep
 from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
+from app.gpu.stage_text import Source
 from app.ies import Photometry, read
+from app.lesson import Scene
 from app.meshes import Mesh, built_in, load
+from app.picture_state import state_in
 from app.problem import Problem
 
 
@@ -26,6 +30,7 @@ class Belongings:
         self.lamp = 0  # that was chosen when the user's luminaire came
         self.placed: tuple = ()  # the step and the mesh on the stage
         self.decided: tuple[leaving.Decision, ...] = ()  # what the scene does without, at the present values
+        self.source = Source(Scene(""))  # of the step without it
         self.fault = ""  # why this step has no picture
         self.tried: tuple = ()  # the step and the texts that were compiled last
         self.wrong = ""  # what is wrong with the user's texts
@@ -40,11 +45,14 @@ class Belongings:
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
-        """A file that was dropped or named: a luminaire, a reflectance model or a map by its ending, else a mesh."""
+        """A file that was dropped or named, by its ending: a picture of ours brings its state back; a luminaire, a
+        reflectance model, a map, else a mesh."""
         app = self.app
         try:
             kind = Path(path).suffix.lower()
-            if kind in FILES:
+            if kind == ".png" and (state := state_in(path)):
+                app.session.go(state)
+            elif kind in FILES:
                 self.take_model(path)
             elif kind == ".ies":
                 self.take_ies(path)
@@ -67,7 +75,7 @@ class Belongings:
     def take_model(self, path: str) -> None:
         """The user's own model, on the board: beside what is there, or on a board of its own."""
         session = self.app.session
-        words = words_of(session.current.step.name) if session.current.id.startswith(BOARD) else []
+        words = [(one.word, one.on) for one in getattr(session.current, "entries", ())]
         others = [(word, on) for word, on in words if word != path]
         room = sum(on for _, on in others) < MOST
         session.examine(BOARD + name_of([*others, (path, room)]))
@@ -100,6 +108,8 @@ class Belongings:
         self.mesh = load(Path(path))
         if not any(s.mesh for s in session.current.step.scene.surfaces):
             session.go(next(s.id for s in session.steps if any(x.mesh for x in s.step.scene.surfaces)))
+        if session.values.get("stands") == 0:  # on the board lobes stand where it would
+            session.set("stands", 1)
         self.app.message = f"{self.mesh.name}: {self.mesh.note}"
 
     # --- the stage ---------------------------------------------------------------------------------------------------
@@ -108,9 +118,12 @@ class Belongings:
 
     def place(self) -> None:
         """A stage for the step that is shown, with its mesh; made again when either changes."""
-        found, values = self.app.session.current, self.app.session.values
-        self.decided = leaving.decisions(found, values, self.app.session.visit.decided)
-        found = leaving.lean(found, self.decided)
+        session = self.app.session
+        found, values = session.current, session.values
+        by_hand = session.visit.decided | leaving.edited(found, session.visit.texts)
+        self.decided = leaving.decisions(found, values, by_hand)
+        source, found = edit.source_of(found), leaving.lean(found, self.decided)
+        self.source = replace(source, scene=found.step.scene)
         if self.ies is not None and values.get("luminaire", self.lamp) != self.lamp:
             self.ies = None  # a luminaire was chosen: back to the scene's own
         self.tables = tables.chosen(found.step.scene, values, self.ies, self.maps)
@@ -136,7 +149,7 @@ class Belongings:
                 scene.drawn = None
             else:
                 self.tried = ()
-                scene.show(Stage(self.app.ctx, edit.source_of(found), self.triangles))
+                scene.show(Stage(self.app.ctx, self.source, self.triangles))
         except Problem as problem:
             self.fault = str(problem)
         self.app.ctx.screen.use()
@@ -145,15 +158,14 @@ class Belongings:
         """The user's texts in the scene and in whatever evaluates its twins; while one is wrong, those before stay."""
         session, stage = self.app.session, self.app.scene.stage
         found, known = session.current, session.functions
-        texts = {name: text for name, text in session.visit.texts.items() if name in known}
+        texts = {name: text for name, text in session.texts.items() if name in known}
         if stage is None or self.tried == (found.id, texts):
             return
         self.tried, self.wrong = (found.id, texts), ""
         try:
             for name, text in texts.items():
                 edit.check(text, known[name])
-            source = edit.source_of(found)
-            stage.rewrite(edit.overrides(texts, known, source))
+            stage.rewrite(edit.overrides(texts, known, self.source))
             for function, overrides in edit.twins(found, texts):
                 compiled(function, overrides, self.app.ctx)
         except Problem as problem:

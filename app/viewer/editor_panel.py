@@ -28,12 +28,14 @@ class EditorPanel:
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def toggle(self) -> None:
         self.is_open = not self.is_open
+        self.app.exercise.is_open = False
 
     def open(self, function: str) -> None:
         """The editor at a function; one that this step does not compile is a Problem."""
         self.app.session.function(function)
         self.chosen[self.app.session.current.id] = function
         self.is_open = True
+        self.app.exercise.is_open = False
 
     @property
     def function(self) -> str:
@@ -95,7 +97,7 @@ class EditorPanel:
                 if imgui.selectable(self.label(one), one.name == function.name)[0]:
                     self.open(one.name)
             imgui.end_combo()
-        imgui.text_disabled(f"{function.file}, line {function.first}")
+        quiet(f"{function.file}, line {function.first}")
 
     def label(self, function: Function) -> str:
         texts = self.app.session.visit.texts
@@ -108,13 +110,13 @@ class EditorPanel:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("r", theme)))
             imgui.text_wrapped(edit.first_complaint(wrong, name))
             imgui.pop_style_color()
-            imgui.text_disabled("The picture shows the last text that ran.")
+            quiet("The picture shows the last text that ran.")
         elif session.visit.running:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("v", theme)))
             imgui.text_wrapped("Your text runs, and all that is yours follows it.")
             imgui.pop_style_color()
         else:
-            imgui.text_disabled("The course's text. Type, and the picture follows.")
+            quiet("The course's text. Type, and the picture follows.")
 
     def buttons(self, name: str) -> None:
         visit = self.app.session.visit
@@ -181,3 +183,10 @@ class EditorPanel:
         except Problem as problem:
             app.message = f"{one.name}: {problem}"
         self.name = one.name
+
+
+def quiet(text: str) -> None:
+    """Disabled text that breaks at the column's edge."""
+    imgui.push_style_color(imgui.Col_.text, imgui.get_style_color_vec4(imgui.Col_.text_disabled))
+    imgui.text_wrapped(text)
+    imgui.pop_style_color()

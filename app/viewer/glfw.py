@@ -18,7 +18,9 @@ from app.problem import Problem
 PLATFORM, PLATFORM_NULL = 0x00050003, 0x00060005
 DEPTH_BITS, STENCIL_BITS = 0x00021005, 0x00021006
 CONTEXT_CREATION_API, EGL_CONTEXT_API = 0x0002200B, 0x00036002
+FLOATING, YES = 0x00020007, 1
 Pointer = ctypes.c_void_p
+Rect = tuple[int, int, int, int]  # x, y, width, height
 DropCallback = ctypes.CFUNCTYPE(None, Pointer, ctypes.c_int, ctypes.POINTER(ctypes.c_char_p))
 
 
@@ -55,6 +57,41 @@ def without_depth() -> None:
     """The interface needs no depth and no stencil buffer; scenes have their own."""
     library().glfwWindowHint(DEPTH_BITS, 0)
     library().glfwWindowHint(STENCIL_BITS, 0)
+
+
+class VideoMode(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_int) for name in ("width", "height", "red", "green", "blue", "rate")]
+
+
+def screen() -> tuple[int | None, Rect]:
+    """The first monitor, and its rectangle; without one (the null platform) none."""
+    lib = library()
+    lib.glfwGetPrimaryMonitor.restype = Pointer
+    lib.glfwGetVideoMode.restype, lib.glfwGetVideoMode.argtypes = ctypes.POINTER(VideoMode), [Pointer]
+    monitor = lib.glfwGetPrimaryMonitor()
+    mode = lib.glfwGetVideoMode(monitor) if monitor else None
+    return (monitor, (0, 0, mode[0].width, mode[0].height)) if mode else (None, (0, 0, 0, 0))
+
+
+def rect(window) -> Rect:
+    lib, found = library(), [ctypes.c_int() for _ in range(4)]
+    for name, pair in (("glfwGetWindowPos", found[:2]), ("glfwGetWindowSize", found[2:])):
+        getattr(lib, name).argtypes = [Pointer, *[ctypes.POINTER(ctypes.c_int)] * 2]
+        getattr(lib, name)(window, *map(ctypes.byref, pair))
+    return tuple(one.value for one in found)  # type: ignore[return-value]
+
+
+def move(window, to: Rect, monitor: int | None = None) -> None:
+    """The window to this rectangle, or to fill this monitor."""
+    lib = library()
+    lib.glfwSetWindowMonitor.argtypes = [Pointer, Pointer, *[ctypes.c_int] * 5]
+    lib.glfwSetWindowMonitor(window, monitor, *to, -1)
+
+
+def on_top(window) -> None:
+    """Above the other programs' windows."""
+    library().glfwSetWindowAttrib.argtypes = [Pointer, ctypes.c_int, ctypes.c_int]
+    library().glfwSetWindowAttrib(window, FLOATING, YES)
 
 
 class WindowContext:

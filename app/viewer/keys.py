@@ -5,7 +5,7 @@ from imgui_bundle import imgui
 from app.state import FARTHEST, NEAREST, View
 
 LETTERS = {imgui.Key.o: "o", imgui.Key.n: "n", imgui.Key.r: "r", imgui.Key.c: "c", imgui.Key.t: "t", imgui.Key.f: "f",
-           imgui.Key.p: "p", imgui.Key.b: "b", imgui.Key.e: "e"}
+           imgui.Key.p: "p", imgui.Key.b: "b", imgui.Key.e: "e", imgui.Key.x: "x"}
 
 ARROWS = (  # key, degrees around, degrees up, times the distance
     (imgui.Key.left_arrow, -5.0, 0.0, 1.0), (imgui.Key.right_arrow, 5.0, 0.0, 1.0),
@@ -18,12 +18,15 @@ ARROWS = (  # key, degrees around, degrees up, times the distance
 def press(window) -> None:
     io = imgui.get_io()
     if imgui.is_key_pressed(imgui.Key.escape, False):
-        window.editor.is_open &= window.show_outline or window.show_help
+        if not (window.show_outline or window.show_help):
+            window.editor.is_open = window.exercise.is_open = False
         window.show_outline = window.show_help = False
         window.message = ""
         window.scene.picked = None
     elif io.key_ctrl and window.editor.is_open and imgui.is_key_pressed(imgui.Key.r, False):
         window.editor.restore()
+    elif io.key_ctrl and window.exercise.is_shown and imgui.is_key_pressed(imgui.Key.r, False):
+        window.exercise.restart()
     elif io.want_text_input:
         return
     elif not window.show_welcome:

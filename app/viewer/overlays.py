@@ -3,8 +3,8 @@
 from imgui_bundle import ImVec2, imgui
 
 from app.search import search
-from app.theme import colour, rgb
-from app.viewer import style
+from app.theme import Theme, colour, rgb
+from app.viewer import marks, style
 from app.viewer.text_panel import heading
 
 KEYS = (
@@ -18,6 +18,7 @@ KEYS = (
     ("F", "freeze the picture for a guess"),
     ("B", "break it: naive forms where they fail; again: put right"),
     ("E", "edit the GLSL of this step; Ctrl+R: the course's text, Esc: close"),
+    ("X", "the exercise beside its scene; Ctrl+R: start again, Esc: close"),
     ("P", "the next plot of a step that has several"),
     ("Tab, arrows, Space", "from control to control, change, press"),
     ("Shift and arrows, + or -", "turn the picture, zoom"),
@@ -105,9 +106,25 @@ def entries(app) -> None:
         if imgui.selectable(f"    {entry.title}##{entry.id}", entry.current)[0]:
             app.go(entry.id)
             app.show_outline = False
-        if mark or entry.beyond:
-            imgui.same_line(imgui.get_content_region_avail().x - 11 * imgui.get_font_size())
-            imgui.text_disabled(", ".join(filter(None, (mark, "beyond the deck" if entry.beyond else ""))))
+        count = len(entry.exercises)
+        words = [mark, "beyond the deck" if entry.beyond else "",
+                 "" if not count else "exercise" if count == 1 else f"{count} exercises"]
+        if any(words):
+            imgui.same_line(imgui.get_content_region_avail().x - 19 * imgui.get_font_size())
+            imgui.text_disabled(", ".join(filter(None, words)))
+            ticks(sum(map(app.exercise.practice.solved, entry.exercises)), app.theme)
+
+
+def ticks(count: int, theme: Theme) -> None:
+    """A small mark for each solved exercise."""
+    size = imgui.get_font_size()
+    for _ in range(count):
+        imgui.same_line(0, 0.35 * size)
+        at = imgui.get_cursor_screen_pos()
+        imgui.dummy(ImVec2(size, size))
+        marks.mark(at.x + 0.5 * size, at.y + 0.5 * size, True, theme)
+        if imgui.is_item_hovered():
+            imgui.set_tooltip("solved")
 
 
 def hits(app) -> None:
@@ -123,14 +140,14 @@ def hits(app) -> None:
         imgui.pop_text_wrap_pos()
 
 
-def help_keys(app, size: ImVec2) -> None:
+def help_keys(app, size: ImVec2, keys: tuple[tuple[str, str], ...] = KEYS) -> None:
     centred("Keys", size, 44, 22)
     shown, app.show_help = imgui.begin(
         "Keys", True, OVERLAY
     )
     if shown and imgui.begin_table("keys", 2):
         imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())
-        for key, meaning in KEYS:
+        for key, meaning in keys:
             imgui.table_next_row()
             imgui.table_next_column()
             imgui.text(key)
@@ -144,4 +161,5 @@ def centred(name: str, size: ImVec2, wide: float, high: float) -> None:
     unit = imgui.get_font_size()
     x, y = min(wide * unit, 0.94 * size.x), min(high * unit, 0.9 * size.y)
     imgui.set_next_window_size(ImVec2(x, y), imgui.Cond_.appearing)
-    imgui.set_next_window_pos(ImVec2((size.x - x) / 2, (size.y - y) / 2), imgui.Cond_.appearing)
+    at = imgui.get_main_viewport().pos
+    imgui.set_next_window_pos(ImVec2(at.x + (size.x - x) / 2, at.y + (size.y - y) / 2), imgui.Cond_.appearing)

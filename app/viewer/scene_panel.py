@@ -51,7 +51,8 @@ class ScenePanel:
             self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.texts(None))
         wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
-        rest = not changed and not self.is_fine and not imgui.is_mouse_down(0)
+        # between two keys nothing rests: each kind of picture compiles a typed text once more
+        rest = not (changed or self.is_fine or self.app.editor.typed_at or imgui.is_mouse_down(0))
         if changed or rest:
             # while something moves one sample a pixel; as soon as it rests edges are soft, and the faults are counted:
             # in a picture of their own, as soft edges of both take 16 bytes a pixel more
@@ -171,12 +172,14 @@ class ScenePanel:
             if count
         ]
         text = "Faulty: " + ", ".join(parts)
-        at, size = ImVec2(corner.x + 8, corner.y + room.y - 2.0 * imgui.get_font_size()), imgui.calc_text_size(text)
+        unit, wide = imgui.get_font_size(), room.x - 20
+        size = imgui.calc_text_size(text, wrap_width=wide)
+        at = ImVec2(corner.x + 8, corner.y + room.y - unit - size.y)
         draw = imgui.get_window_draw_list()
         draw.add_rect_filled(
             ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 8, at.y + size.y + 3), style.u32((0.75, 0.0, 0.1)), 3.0
         )
-        draw.add_text(ImVec2(at.x + 2, at.y), style.u32((1.0, 1.0, 1.0)), text)
+        draw.add_text(imgui.get_font(), unit, ImVec2(at.x + 2, at.y), style.u32((1.0, 1.0, 1.0)), text, wide)
 
     # --- the hand --------------------------------------------------------------------------------------------------
     def hand(self, corner: ImVec2, room: ImVec2, values: dict, view: View, theme: Theme) -> None:

@@ -8,7 +8,7 @@ from imgui_bundle import imgui, imgui_microtex, rich_md
 from app.lesson import Step
 from app.prose import FORMULA, for_screen
 from app.theme import THEMES, Theme, colour
-from app.viewer import break_panel, style
+from app.viewer import break_panel, exercise_panel, style
 
 MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
 
@@ -52,6 +52,7 @@ def draw(app) -> None:
         imgui.spacing()
     app.lines.draw()
     break_panel.buttons(app)
+    exercise_panel.invitation(app)
     if app.show_notes:
         section("For the lecturer", f"{step.notes.strip()}\n\n{step.minutes:g} minutes.")
     elif imgui.tree_node("Where this comes from"):

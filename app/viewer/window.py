@@ -28,6 +28,7 @@ from app.viewer.belongings import Belongings
 from app.viewer.board_panel import BoardPanel
 from app.viewer.cover import Cover
 from app.viewer.editor_panel import REST, EditorPanel
+from app.viewer.exercise_panel import ExercisePanel
 from app.viewer.keys import press
 from app.viewer.lines_panel import LinesPanel
 from app.viewer.plot_panel import PlotPanel
@@ -68,7 +69,7 @@ class Window:
         self.scene, self.plot, self.cover = ScenePanel(self), PlotPanel(self), Cover(self)
         self.badges, self.board = BadgesPanel(self), BoardPanel(self)
         self.own = Belongings(self)
-        self.editor, self.lines = EditorPanel(self), LinesPanel(self)
+        self.editor, self.lines, self.exercise = EditorPanel(self), LinesPanel(self), ExercisePanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
         self.derived: tuple = (None, {})  # (revision, what follows from the values)
@@ -94,6 +95,7 @@ class Window:
         self.session.save()
         self.plot.close()
         self.badges.close()
+        self.exercise.close()
         if self.scene.stage:
             self.scene.stage.release()
         self.cover.release()
@@ -133,6 +135,7 @@ class Window:
         if self.editor.typed_at and time.monotonic() - self.editor.typed_at > REST:
             self.editor.typed_at = 0.0
             self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
+        self.exercise.rest()
         idling = hello_imgui.get_runner_params().fps_idling
         idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
@@ -141,15 +144,17 @@ class Window:
 
     # --- the lesson --------------------------------------------------------------------------------------------------
     def lesson(self, size: ImVec2) -> None:
+        self.exercise.place()
         self.own.place()
         unit = imgui.get_font_size()
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
-        if self.editor.is_open:
+        text = self.exercise.draw if self.exercise.is_shown else self.editor.draw if self.editor.is_open else None
+        if text:
             left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
         middle, height = size.x - left - right, size.y - line
-        self.column("Text", 0, left, height, self.editor.draw if self.editor.is_open else self.text_column)
+        self.column("Text", 0, left, height, text or self.text_column)
         self.column("Scene", left, middle, height, self.scene_column)
         self.column("Plot", left + middle, right, height, self.plot_column)
         imgui.set_next_window_pos(ImVec2(0, height))
@@ -227,6 +232,8 @@ class Window:
             self.session.show_plot(self.session.visit.plot + 1)
         elif key == "e":
             self.editor.toggle()
+        elif key == "x":
+            self.exercise.toggle()
         elif key == "?":
             self.show_help = not self.show_help
 

@@ -12,7 +12,7 @@ uniform float theta_l, theta_v, phi, turned, light, lobe_top;
 uniform int model, shows, stands, board_channel, lobe_scale;
 
 const vec3 UP = vec3(0.0, 0.0, 1.0);
-const float LARGE = 0.84, SMALL = 0.25, PLATE = 0.95, LOBE = 1.35, STANDING = 0.8, LONGEST = 1.3;
+const float LARGE = 0.84, SMALL = 0.22, PLATE = 0.95, LOBE = 1.35, STANDING = 0.8, LONGEST = 1.3;
 
 // What a surface is: its number is that of its model, in groups of MODELS
 const int BALL = 0, OBJECT = 1, LOBE_ON_PLATE = 2, LOBE_ON_BALL = 3, GROUND = 4;
@@ -25,7 +25,7 @@ vec3 plate() { return place(0.66, -0.8); }
 
 vec3 ball_at(int which) {
     if (which == model) return large();
-    return place(-1.42 + 0.66 * float(which < model ? which : which - 1), -1.1);
+    return place(-1.5 + 0.48 * float(which < model ? which : which - 1), -1.0);
 }
 
 float ball_size(int which) { return which == model ? LARGE : SMALL; }

@@ -17,4 +17,9 @@ vec3 stored(int map, vec2 s) {
     return 0.5 + 0.5 * normalize(vec3(-d / 0.008, 1.0)); // the plate is 2.04 wide, about
 }
 
-vec3 decoded(vec3 c) { return vec3(srgb_to_linear(c.r), srgb_to_linear(c.g), srgb_to_linear(c.b)); }
+vec3 decoded(vec3 c) {
+    // IEC 61966-2-1, its power 2.4 as a polynomial in a root (a power is dear on a CPU): off by 0.004/255 at most
+    vec3 x = (c + 0.055) / 1.055, y = sqrt(x);
+    vec3 power = x * x * (((0.06573326 * y - 0.26547053) * y + 1.13481118) * y + 0.06493894);
+    return mix(c / 12.92, power, greaterThan(c, vec3(0.04045)));
+}

@@ -78,16 +78,15 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
     data = content(found)
     small, stills = None, {}
     if poster:
+        from app.export.shooting import Shooting, framed
         from app.export.still import data as carried
-        from app.export.still import framed, staged, taken
-        from app.leaving import decisions, lean
 
         values: dict = defaults(found)
         values |= carried(found, values)
-        with staged(lean(found, decisions(found, values)), values) as stage:
-            picture = taken(stage, values, framed(stage, values, POSTER, DARK), POSTER, DARK)
+        with Shooting(found, POSTER, DARK) as one:
+            picture = one.picture(values, one.camera([values], None))
             # what fills a square picture fits into any
-            data["scene"]["camera"]["field_of_view"] = framed(stage, values, SQUARE, DARK).field_of_view
+            data["scene"]["camera"]["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
         small = webp(picture.resize(SMALL, Image.Resampling.LANCZOS))
         stills = {i: webp(still_of(found, values, i)) for i, p in enumerate(data["plots"]) if p["kind"] == "still"}
         words = {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": write(found, values)}

@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 from app.gpu.stage_text import COLOURS
 from app.lesson import Camera, Faces, Figure, Label, Lobes, Mark, Model, Number, Scene, Sheet, Surface, Term
 from app.optics.colour import srgb_to_linear
-from app.plots.image_slice import DECADES, TICKS_D, TICKS_H
-from app.plots.lobes import REACH
+from app.plots.look import REACH, SLICE_DECADES, TICKS_D, TICKS_H
 from app.plots.models import CHANNELS
 from app.quantities import FROM_ANGLES
 from app.shader import catalogue
@@ -268,7 +267,7 @@ vec3 shade(Surface s) {{
     float theta_d = 1.57079633 * s.st.y;
     vec3 d = h * cos(theta_d) + vec3(0.0, sin(theta_d), 0.0);
     float top = log(slice_top) / log(10.0);
-    return decade_colour(slice_value(d, d * vec3(1.0, -1.0, 1.0)), top - {DECADES}.0, top);
+    return decade_colour(slice_value(d, d * vec3(1.0, -1.0, 1.0)), top - {SLICE_DECADES}.0, top);
 }}
 
 vec3 mark_point(int mark, float t) {{

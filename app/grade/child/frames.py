@@ -12,7 +12,8 @@ import struct
 MAGIC = b"HALF"
 HEAD = struct.Struct("<4sIIQ")
 READY, VALUES = 0, 1
-REASONS = {2: "runtime_error", 3: "missing", 4: "memory", 5: "forbidden", 6: "compile_error", 7: "unwritten"}
+REASONS = {2: "runtime_error", 3: "missing", 4: "memory", 5: "forbidden", 6: "compile_error", 7: "unwritten",
+           8: "wrong"}
 STARTED, LOADED = 0xFFFFFFFE, 0xFFFFFFFF  # indices of two frames: all is ready for the student's text; it has been read
 WORDS = 2000  # bytes of a reason at most
 

@@ -1,6 +1,8 @@
 """The first program of a student's process: it locks itself in, then hands over to a worker. Stands alone: no `app`.
 
-python -I -S -B launch.py ORDER, with ORDER in JSON: worker, layers, readable, packages, cpu, memory, out, parent.
+python -I -S -B launch.py ORDER, with ORDER in JSON: worker, layers, readable, packages, cpu, memory,
+threads, out, parent.
+
 Everything is locked while one thread runs and before anything of the student's, or numpy, is read.
 """
 
@@ -67,7 +69,7 @@ def lock(order: dict) -> None:
     if "seccomp" in layers:
         import syscalls
 
-        syscalls.install(libc)
+        syscalls.install(libc, order["threads"])
 
 
 def main() -> None:

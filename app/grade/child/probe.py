@@ -66,6 +66,14 @@ def create(path: str) -> None:
     os.unlink(path)
 
 
+def signal_by_pipe(parent: int) -> None:
+    """Have the kernel signal the supervisor whenever it reads: F_SETOWN, F_SETSIG."""
+    import fcntl
+
+    fcntl.fcntl(1, fcntl.F_SETOWN, parent)
+    fcntl.fcntl(1, 10, 0)
+
+
 def many_files() -> None:
     kept = [os.open("/dev/null", os.O_RDONLY) for _ in range(100)]
     for one in kept:
@@ -144,7 +152,8 @@ def main(order: dict) -> None:
         ("read the supervisor's memory map", read, f"/proc/{parent}/maps"), ("list a folder", os.listdir, folder),
         ("write a file", create, f"{folder}/new"), ("change a file's mode", os.chmod, f"{folder}/canary", 0o644),
         ("share memory (memfd)", os.memfd_create, "x"), ("share memory (shmget)", shared_memory),
-        ("signal the supervisor", os.kill, parent, 0), ("open many files", many_files),
+        ("signal the supervisor", os.kill, parent, 0), ("signal it through a pipe", signal_by_pipe, parent),
+        ("open many files", many_files),
         ("take much memory", bytearray, order["memory"] + (1 << 20)))}
     data = json.dumps(found).encode()
     while data:

@@ -13,6 +13,13 @@ from frames import LOADED, READY, STARTED, VALUES, Pipe, Questions
 NAME = "submission.py"
 PLAIN = tuple(kind for kind in vars(builtins).values() if isinstance(kind, type) and issubclass(kind, BaseException))
 SIMPLE = (str, int, float)
+ADVICE = {  # what numpy or Python says -> what a beginner does about it
+    "can be converted to Python scalars": "math's functions take one number: use numpy's, np.cos for math.cos",
+    "truth value of an array": "an if decides for one number: use np.where(condition, a, b), np.maximum or np.clip",
+    "not aligned": "of rows of vectors the product is np.sum(a * b, axis=-1)",
+    "could not be broadcast together": "an array of numbers times rows of vectors: s[:, None] * v",
+    "can't start new thread": "functions of numbers start none here",
+}
 TRACEBACK = BaseException.__dict__["__traceback__"].__get__
 ARGUMENTS = BaseException.__dict__["args"].__get__
 
@@ -48,7 +55,8 @@ def reason(error: BaseException) -> tuple[str, str]:
         said = f"{said.lstrip('0123456789 ')}; functions of numbers open no files, processes or connections here"
     if kind is SyntaxError or kind is IndentationError or kind is TabError:
         return "compile_error", f"line {error.lineno}: {error.msg}"  # type: ignore[attr-defined]
-    return word, f"{where(error)}{name}{': ' if said else ''}{said}"
+    advice = "".join(f" - {more}" for what, more in ADVICE.items() if what in said)
+    return word, f"{where(error)}{name}{': ' if said else ''}{said}{advice}"
 
 
 def main(order: dict) -> None:
@@ -65,7 +73,8 @@ def main(order: dict) -> None:
         shape = (count,) if width == 1 else (count, width)
         if type(result) is not ndarray:
             kind = str(type.__dict__["__name__"].__get__(type(result)))[:80]
-            raise Refused("runtime_error", f"it returned {kind}, not a numpy array of {count} values")
+            raise Refused("runtime_error", f"it returned {kind}, not a numpy array of {count} values"
+                          f"{'; np.array(...) makes one' if kind in ('list', 'tuple') else ''}")
         if result.dtype.kind not in "fiu" or result.dtype.itemsize > 8:
             raise Refused("runtime_error", f"it returned an array of {result.dtype.name}, not of real numbers")
         if result.shape != shape:

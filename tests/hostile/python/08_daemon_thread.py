@@ -1,4 +1,4 @@
-# 8: pass: right, and a thread goes on
+# 8: runtime_error: right, but by a thread; functions of numbers start none
 import threading
 import time
 

@@ -31,7 +31,7 @@ class Page {
     this.question();
     this.tabs();
     this.breaking();
-    this.set(location.search.slice(1));
+    this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
     this.listen();
     this.draw();
     if (parent !== window) parent.postMessage({halfway: "ready", step: content.step}, "*");
