@@ -60,8 +60,9 @@ def main(order: dict) -> None:
         source = program_text(text, call)
         if source not in programs:
             try:
-                programs[source] = ctx.program(vertex_shader=source, varyings=("halfway_value", "halfway_steps"))
-                programs[source]["halfway_few"] = FEW
+                made = ctx.program(vertex_shader=source, varyings=("halfway_value", "halfway_steps"))
+                made["halfway_few"] = FEW
+                programs[source] = made
             except moderngl.Error as error:
                 programs[source] = told(str(error), text.count("\n") + 1)
         program = programs[source]
