@@ -54,8 +54,7 @@ def main(order: dict) -> None:
     text, calls = questions.header["text"], questions.header["calls"]
     names: dict = CONTEXT if sys.platform.startswith("linux") else {}
     ctx = moderngl.create_context(standalone=True, require=330, **names)
-    pixel = ctx.simple_framebuffer((1, 1))
-    pixel.use()
+    ctx.simple_framebuffer((1, 1)).use()
     pipe.send(STARTED, READY)
     pipe.send(LOADED, READY)
     programs: dict[str, moderngl.Program | str] = {}
