@@ -74,7 +74,7 @@ def test_version_and_help(capsys):
 
 @pytest.mark.parametrize(("arguments", "sentence"), [
     (["lst"], "there is no command lst. Did you mean list"),
-    (["rendr", "a/b"], "there is no command rendr. Did you mean render?"),
+    (["rendr", "a/b"], "there is no command rendr. Did you mean render"),
     (["solid_angle/patch"], "there is no command solid_angle/patch. Did you mean halfway show solid_angle/patch?"),
     (["list", "--jsn"], "halfway list takes no --jsn. Did you mean --json?"),
     (["list", "patch"], "halfway list takes no patch. See halfway list --help."),
