@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -154,7 +155,8 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_bytes(tmp_path, assignment,
 def test_a_stopped_run_keeps_what_is_done(tmp_path, assignment, handed_in):
     words = [sys.executable, "-m", "app", "grade", str(assignment), str(handed_in), "-o", str(tmp_path / "r"),
              "--jobs", "1", "--seed", "s"]
-    run = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    run = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                           preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL))  # noqa: PLW1509 - a shell's & ignores it
     journal = tmp_path / "r" / "store" / "journal.jsonl"
     while not (journal.exists() and journal.read_text().count("\n")):
         assert run.poll() is None, run.stderr.read()

@@ -51,9 +51,11 @@ class Frame:
             given |= {f"in_{a.name}": values[a.name] for a in self.others}
             for name in given.keys() & set(self.program):
                 cast(Any, self.program[name]).value = given[name]
+            before = self.ctx.fbo
             self.target.use()
             self.array.render(moderngl.TRIANGLES, 3)
             self.ctx.finish()
+            before.use()
 
     def read(self) -> np.ndarray:
         """(height, width) float32."""

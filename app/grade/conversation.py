@@ -96,7 +96,10 @@ class Listener:
             if pid:
                 self.status, self.child.returncode = status, os.waitstatus_to_exitcode(status)
                 self.ending.cpu = usage.ru_utime + usage.ru_stime
-                self.ending.memory = usage.ru_maxrss * 1024
+                import resource  # not on Windows, where plain.py talks
+
+                own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # which a child begins with, before its exec
+                self.ending.memory = usage.ru_maxrss * 1024 if usage.ru_maxrss > own else 0
         return self.status is not None
 
     def read(self, descriptor: int) -> bool:
