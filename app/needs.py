@@ -48,7 +48,7 @@ def plotted(plot: Plot) -> frozenset[str]:
         return names | DIRECTIONS | {"channel", "lobe_scale"}
     if isinstance(plot, Study):
         sets = {name for one in plot.methods for name in (one.cost, *one.sets, *(one.term.args if one.term else ()))}
-        return inputs(plot) | sets  # a point that the scene shows is marked
+        return names | inputs(plot) | sets  # a point that the scene shows is marked
     return names
 
 

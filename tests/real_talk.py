@@ -73,6 +73,8 @@ class Clicker:
         self.seen["distance"] = window.session.values["distance"]
         self.press(KEY.b)
         yield
+        yield  # the lecturer's picture of it comes a little later
+        yield
         self.note("black")
         self.press(KEY.page_down)
         yield
