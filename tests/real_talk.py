@@ -12,6 +12,7 @@ from app import locale_alias
 from app.cues import Stop
 from app.deck import Deck
 from app.viewer import glfw
+from app.viewer.lecturer import LOOK_EVERY
 from app.viewer.presenter import Presenter, prepared
 
 KEY = imgui.Key
@@ -24,7 +25,7 @@ class Clicker:
     def __init__(self, window: Presenter, folder: Path) -> None:
         self.window, self.folder, self.seen = window, folder, {}
         self.script, self.waited, self.begun = self.talk(), 0, time.monotonic()
-        self.wait = 12
+        self.wait, self.went_on = 12, time.monotonic()
 
     def frame(self) -> None:
         self.window.gui()
@@ -32,9 +33,10 @@ class Clicker:
         window = self.window
         busy = window.talk.has_scene and not window.talk.is_black and not window.talk.playing and (
             window.plot.waiting or not window.scene.is_fine)
-        if self.waited < self.wait or (busy and time.monotonic() - self.begun < 90):
+        fresh = time.monotonic() - self.went_on > 2 * LOOK_EVERY  # the lecturer's picture is newer than the last key
+        if self.waited < self.wait or not fresh or (busy and time.monotonic() - self.begun < 90):
             return
-        self.waited = 0
+        self.waited, self.went_on = 0, time.monotonic()
         if next(self.script, "over") == "over":
             hello_imgui.get_runner_params().app_shall_exit = True
 
@@ -72,8 +74,6 @@ class Clicker:
         self.note("back")
         self.seen["distance"] = window.session.values["distance"]
         self.press(KEY.b)
-        yield
-        yield  # the lecturer's picture of it comes a little later
         yield
         self.note("black")
         self.press(KEY.page_down)
