@@ -13,10 +13,11 @@ import pytest
 from markdown_it import MarkdownIt
 
 from app import __main__ as cli
+from app.document import STILL
 from app.grade import assignment as assignments
 from app.grade import texts
 from app.grade.questions import questions
-from app.grade.report import everything, frame
+from app.grade.report import everything
 from app.grade.report.curve import svg
 from app.grade.report.stored import Results, folder_of
 from app.grade.report.table import COLUMNS
@@ -142,7 +143,7 @@ def test_pages_are_harmless(graded):
     for path in pages:
         page = path.read_text("utf-8")
         words = harmless(page)
-        assert frame.POLICY in page and "Small <b>&amp;" in words
+        assert STILL in page and "Small <b>&amp;" in words
     assert SCRIPT in harmless((graded / "r" / "index.html").read_text("utf-8"))
     words = harmless((place(graded / "r", SCRIPT) / "report.html").read_text("utf-8"))
     assert "<script>alert(2)</script><img src=x onerror=alert(3)>" in words and "\x1b" not in words

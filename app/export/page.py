@@ -7,6 +7,7 @@ from pathlib import Path
 from app import prose
 from app.badges import SHORT, Badge, told
 from app.catalog import Loaded, LoadedStep
+from app.document import document
 from app.export.markup import Formulas, anchor, html, number
 from app.prediction import quantity
 from app.readouts import Number
@@ -45,18 +46,7 @@ def page(chapters: list[tuple[Loaded, list[Shown]]], note: str = "") -> str:
     formulas = Formulas([text for step in steps for text in (step.prose, step.notes)])
     outline = "".join(f"<p>{escape(c.chapter.title)}</p><ol>{''.join(map(entry, shown))}</ol>" for c, shown in chapters)
     body = "".join(chapter(loaded, shown, formulas) for loaded, shown in chapters)
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<title>Halfway: the course in local shading that you can touch</title>
-<style>
-{CSS.read_text(encoding="utf-8")}</style>
-</head>
-<body>
-<header class="top">
+    whole = f"""<header class="top">
 <h1>Halfway</h1>
 <p class="lead">The course in local shading that you can touch. Here it stands still: each step as a picture, with its
 question, its numbers and its sources.</p>
@@ -65,10 +55,9 @@ question, its numbers and its sources.</p>
 <main>
 {body}</main>
 <footer class="end"><p class="small">{escape(note)} Where there is a display, <code>halfway</code> opens the window, and
-<code>halfway show STATE</code> any picture of this page.</p></footer>
-</body>
-</html>
-"""
+<code>halfway show STATE</code> any picture of this page.</p></footer>"""
+    style = CSS.read_text(encoding="utf-8")
+    return document("Halfway: the course in local shading that you can touch", style, whole, POLICY)
 
 
 def entry(one: Shown) -> str:

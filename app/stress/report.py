@@ -6,6 +6,7 @@ from html import escape
 from io import BytesIO
 from pathlib import Path
 
+from app.document import document
 from app.export import target
 from app.export.page import CSS
 from app.stress.heat import heat_map
@@ -13,7 +14,6 @@ from app.stress.judge import GLSL, NUMPY32, NUMPY64, Finding
 from app.stress.scenes import Played
 from app.stress.words import numbers, remarks, scene_lines, short, summary, times
 
-POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 STYLE = """
 .find { margin: 1.6rem 0 0; padding-top: 1rem; border-top: 1px solid var(--line); }
 .find img { max-width: 100%; height: auto; border-radius: 8px; box-shadow: 0 0 0 1px var(--line); }
@@ -71,18 +71,7 @@ def page(parts: dict[str, list[str]], findings: Sequence[Finding], scenes: Seque
                    f"({len(parts[kind])})</summary>{''.join(parts[kind])}</details>"
                    for kind, title in KINDS if parts[kind])
     played = "".join(f"<p>{escape(line)}</p>" for line in (scene_lines(list(scenes)) if scenes else ()))
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<title>Halfway: formulas at their extremes</title>
-<style>
-{CSS.read_text(encoding="utf-8")}{STYLE}</style>
-</head>
-<body>
-<header class="top">
+    whole = f"""<header class="top">
 <h1>Formulas at their extremes</h1>
 <p class="lead">Each function over the extremes of its arguments, in float32 on the GPU and in float64. Errors are in
 units of the tolerance's u (1 + cond + kappa); up to 8 is rounding. In a map the colour is the worst error of a cell,
@@ -90,7 +79,5 @@ from dark to bright on a logarithmic scale; a dot is beyond 8, a crossed cell ho
 negative or out of range, and a grey one was not tried.</p>
 {told}{played}
 </header>
-<main>{body}</main>
-</body>
-</html>
-"""
+<main>{body}</main>"""
+    return document("Halfway: formulas at their extremes", CSS.read_text(encoding="utf-8") + STYLE, whole)

@@ -4,6 +4,7 @@ import base64
 from html import escape
 from pathlib import Path
 
+from app.document import document
 from app.export import target
 from app.export.page import CSS
 from app.export.png import png
@@ -14,7 +15,6 @@ from app.study.table import HEADS, row, wins
 from app.theme import THEMES
 
 SIZE = 960, 720  # px
-POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 STYLE = """
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.9rem; }
 th, td { padding: 0.2rem 0.7rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
@@ -88,18 +88,7 @@ def table(record: Record) -> str:
 
 def page(outline: list[str], parts: list[str], machine: dict) -> str:
     ran = ", ".join(f"{name} {value}" for name, value in machine.items())
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<title>Halfway: error against run time</title>
-<style>
-{CSS.read_text(encoding="utf-8")}{STYLE}</style>
-</head>
-<body>
-<header class="top">
+    whole = f"""<header class="top">
 <h1>What a digit costs</h1>
 <p class="lead">Error against run time: each method's relative error and the time of one estimate. Times are medians,
 the bars their quartiles; errors are RMS over the seeds, and the worst of the angles where there are several.</p>
@@ -107,7 +96,5 @@ the bars their quartiles; errors are RMS over the seeds, and the worst of the an
 </header>
 <main>
 {"".join(parts)}</main>
-<footer class="end"><p class="small">Measured on: {escape(ran)}.</p></footer>
-</body>
-</html>
-"""
+<footer class="end"><p class="small">Measured on: {escape(ran)}.</p></footer>"""
+    return document("Halfway: error against run time", CSS.read_text(encoding="utf-8") + STYLE, whole)

@@ -6,6 +6,7 @@ from html import escape
 
 from app import prose
 from app.catalog import LoadedStep
+from app.document import document
 from app.export.markup import anchor
 from app.export.web.page import file_of, policy, text_of
 
@@ -20,30 +21,17 @@ def page(done: list[LoadedStep], posters: bool) -> str:
     found = json.dumps({anchor(f.id): searched(f) for f in done}, ensure_ascii=False).replace("</", r"<\/")
     rules = policy([script]).replace("img-src data:", "img-src 'self' data: file:").replace(
         "base-uri", "frame-src 'self' file:; base-uri")
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{escape(rules)}">
-<title>Halfway: the course in local shading that you can touch</title>
-<style>
-{text_of("index.css")}
-</style>
-</head>
-<body>
-<header><h1>Halfway</h1><p class="lead">The course in local shading that you can touch: {len(done)} steps, each a page
-of its own that needs no network.</p>
+    whole = f"""<header><h1>Halfway</h1>
+<p class="lead">The course in local shading that you can touch: {len(done)} steps, each a page of its own that needs no
+network.</p>
 <label class="search">Search
 <input id="search" type="search" autocomplete="off" placeholder="solid angle, Fresnel, lux …"></label>
 <p id="hits" role="status"></p><nav aria-label="Chapters"><ol>{outline}</ol></nav></header>
 <main>{body}</main>
 <footer>{SLIDES}</footer>
 <script type="application/json" id="texts">{found}</script>
-<script>{script}</script>
-</body>
-</html>
-"""
+<script>{script}</script>"""
+    return document("Halfway: the course in local shading that you can touch", text_of("index.css"), whole, rules)
 
 
 def section(id: str, title: str, idea: str, steps: list[LoadedStep], posters: bool) -> str:

@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path
 
 from app.catalog import LoadedStep
+from app.document import document
 from app.export.markup import anchor, html
 from app.export.web import math
 from app.export.web.texts import Data, shared
@@ -64,24 +65,11 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
     scripts = [script(content)] + [math.script()] * with_math
     style = (math.style(math.fonts(step.prose + step.notes)) if with_math else "") + text_of("page.css")
     style += "".join(f".ink-{name}{{color:var(--{name})}}" for name in content["themes"]["dark"]["css"])
-    note = f"<!-- KaTeX 0.19.1\n{math.licence()}\n-->" if with_math else ""
+    note = f"\n<!-- KaTeX 0.19.1\n{math.licence()}\n-->" if with_math else ""
     where = f"{found.chapter.title} · {found.index + 1} of {len(found.chapter.steps)}"
     still = f'<img src="{uri(poster, "webp")}" alt="The scene of this step, still" class="poster">' if poster else ""
     more = "" if any(value["more"] for value in content["values"]) else " hidden"
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{escape(policy(scripts))}">
-<title>{escape(step.title)} - Halfway</title>
-{note}
-<style>
-{style}
-</style>
-</head>
-<body>
-<header><p class="where">{escape(where)}</p>
+    whole = f"""<header><p class="where">{escape(where)}</p>
 <h1>{escape(step.title)}</h1><p class="idea">{escape(step.idea)}</p></header>
 <main>
 <section id="scene" aria-label="Scene">
@@ -116,10 +104,8 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <p id="said" class="unseen" role="status"></p>
 <noscript><p class="about">This page draws with a script of its own, and scripts are switched off.</p></noscript>
 <script type="application/json" id="content">{as_json(shared(content))}</script>
-{"".join(f"<script>{one}</script>" for one in scripts)}
-</body>
-</html>
-"""
+{"".join(f"<script>{one}</script>" for one in scripts)}"""
+    return document(f"{step.title} - Halfway", style, whole, policy(scripts), note)
 
 
 def honesty(step: Step) -> str:

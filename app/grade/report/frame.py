@@ -3,29 +3,15 @@
 from html import escape
 from pathlib import Path
 
+from app.document import document
 from app.grade.report.words import ILLEGAL
 
-POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'"
 CSS = Path(__file__).with_name("style.css")
 
 
 def page(title: str, body: str) -> bytes:
     """`body` is HTML; the title is text."""
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{clean(title)}</title>
-<style>
-{CSS.read_text("utf-8")}</style>
-</head>
-<body>
-{body}
-</body>
-</html>
-""".encode()
+    return document(ILLEGAL.sub("", title), CSS.read_text("utf-8"), body).encode()
 
 
 def clean(text: object) -> str:
