@@ -16,6 +16,10 @@ FIRST = """new MutationObserver((_, me) => {
     me.disconnect();
     requestAnimationFrame(() => setTimeout(() => { window.pictured = performance.now(); }));
 }).observe(document, {subtree: true, childList: true, attributes: true});"""
+PICTURED = """new Promise(done => {  // wait_for_function would ask the page for eval
+    const look = () => window.pictured ? done(window.pictured) : setTimeout(look, 20);
+    look();
+})"""
 MOVE = """share => {
     const page = halfway, gl = page.gpu.gl, start = performance.now();
     const spec = page.content.values.find(one => !one.choices.length && typeof one.default === "number");
@@ -36,7 +40,7 @@ def pages(rounds: int = 5) -> list[Row]:
 
         def first(id: str) -> float:
             with opened(browser, Path(folder) / file_of(id), SIZE, FIRST) as (tab, _):
-                return tab.wait_for_function("window.pictured").json_value()
+                return tab.evaluate(PICTURED)
 
         found = in_turn({f"{id}, first picture": lambda id=id: first(id) for id in STEPS}, rounds,
                         asked={f"{id}, first picture": 700.0 for id in STEPS})
