@@ -20,6 +20,7 @@ from app.theme import Theme, rgb
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
 
 
@@ -47,11 +48,11 @@ class Stage:
         self.arrays: dict[tuple[moderngl.Program, str], moderngl.VertexArray] = {}
         self.programs: dict[str, moderngl.Program] = {}
         self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
-        self.others: dict[tuple[int, ...], dict[str, moderngl.Program]] = {}  # those of other choices, seen before
+        self.others: dict[tuple[int, ...], dict[str, moderngl.Program]] = {}  # those of other choices, the latest last
         self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
         self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
-        self.passing: dict = {}  # programs of texts that are being edited
+        self.passing: dict = {}  # programs of its own: of texts that are being edited, of choices made later
         with ctx:
             self.choice |= self.chosen(values or {})
             self.compile(None)
@@ -73,8 +74,20 @@ class Stage:
         before, self.choice = self.choice, choice
         if not self.source.overrides:
             self.others[tuple(before.values())] = self.programs
-            self.programs = self.others.get(tuple(choice.values())) or self.compiled(None)
+            self.programs = self.others.pop(tuple(choice.values()), None) or self.compiled(None)
+            if len(self.others) > KEPT:
+                self.others.pop(next(iter(self.others)))
+            self.let_go()
             self.hold_mesh()
+
+    def let_go(self) -> None:
+        """Release the programs of the stage's own that nothing here draws with."""
+        used = {use for made in (self.programs, *self.others.values()) for use in made.values()}
+        for key in [key for key, use in self.passing.items() if use not in used]:
+            gone = self.passing.pop(key)
+            for name in [name for name in self.arrays if name[0] is gone]:
+                self.arrays.pop(name).release()
+            gone.release()
 
     def rewrite(self, overrides: Overrides) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
@@ -93,17 +106,17 @@ class Stage:
             for array in self.arrays.values():
                 array.release()
             self.arrays, self.programs, self.others = {}, made, {}
-            for key in [key for key, use in self.passing.items() if use not in made.values()]:
-                self.passing.pop(key).release()
+            self.let_go()
 
     def compile(self, names: tuple[str, ...] | None) -> None:
         self.programs |= self.compiled(names)
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
-        passing = self.passing if self.source.overrides else None
-        choice = {} if passing is not None else self.choice
-        one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
+        is_edited = bool(self.source.overrides)
+        passing = self.passing if is_edited or self.others else None
+        choice = {} if is_edited else self.choice
+        one = self.one_program or is_edited or len(self.scene.surfaces) > MANY
         for name in needed(self.scene) if names is None else names:
             wanted = {name: choice}
             if name in ("surface", "mesh") and not one:
