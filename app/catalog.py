@@ -263,7 +263,7 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
 def undecidable(step: Step) -> str:
     """Why programs cannot be compiled for what the scene decides, in a sentence; "" where they can."""
     scene, choices = step.scene, [value.name for value in step.values if value.choices]
-    for name in set(scene.decided) - {table.given for table in scene.tables}:
+    for name in set(scene.decided) - set(scene.of_the_user):
         if name not in choices:
             return (f"the scene decides {name}, which is no choice of the step: programs are compiled for each value "
                     f"of one.{near(name, choices)}")

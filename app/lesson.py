@@ -151,6 +151,11 @@ class Scene:
     decided: tuple[str, ...] = ()  # choices, each a line `uniform int NAME;`, constant in a program
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
+    @property
+    def of_the_user(self) -> tuple[str, ...]:
+        """Whole uniforms that no value of the step sets: 1 where a map, or the mesh's coordinates, are the user's."""
+        return *(table.given for table in self.tables if table.given), "own_coordinates"
+
 
 @dataclass(frozen=True)
 class Readout(Worded):

@@ -1166,8 +1166,7 @@ vec3 luminance(Surface s) { // of each channel, white having the same in all
     vec3 light = s.id % 3 > 0 ? 0.3 * albedo : room * (f0 + albedo * (mistake == 2 ? 1.0 : passed_share(n_dot_v, 0.04)));
     for (int k = 0; k < 2; k++) {
         vec3 way = (k == 0 ? lamp() : SPOT) - s.position, l = normalize(way);
-        float n_dot_l = dot(n, l), lux = candela / dot(way, way);
-        if (n_dot_l <= 0.0) continue;
+        float n_dot_l = max(dot(n, l), 0.0), lux = candela / dot(way, way);
         if (k == 1) lux = spot * spot_linear_cos(dot(l, AXLE), 0.3, 0.42) / dot(way, way);
         vec3 f = albedo / PI; // table and wall are matt
         if (s.id % 3 == 0) {
@@ -1199,7 +1198,7 @@ vec4 probe(int i) { return vec4(lamp() + vec3(i == 0 ? 0.0 : 0.22, 0.0, 0.0), 1.
         camera=Camera(azimuth=-90, elevation=18, distance=9.4, target=(0.03, 0.0, 0.95), field_of_view=20),
         meshes=("knot", "sphere", "bowl", "cube"),
         tables=MAPS,
-        decided=tuple(table.given for table in MAPS),
+        decided=(*(table.given for table in MAPS), "own_coordinates"),
     ),
     plot=(
         Ledger("A white card under the globe", ((

@@ -74,7 +74,8 @@ class Stage:
         before, self.choice = self.choice, choice
         if not self.source.overrides:
             self.others[tuple(before.values())] = self.programs
-            self.programs = self.others.pop(tuple(choice.values()), None) or self.compiled(None)
+            kept = self.others.pop(tuple(choice.values()), {})
+            self.programs = kept or self.compiled(None)
             if len(self.others) > KEPT:
                 self.others.pop(next(iter(self.others)))
             self.let_go()
@@ -209,8 +210,8 @@ class Stage:
             fine = fine and self.ctx.max_samples >= SAMPLES
             drawn_into = ("picture", "faults") if counted else ("picture",)
             target = self.target(drawn_into, fine)
-            self.take_tables(values)
             self.decide(values)
+            self.take_tables(values)
             self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
