@@ -23,7 +23,7 @@ def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
     if not names:
         return file.shader
     word = re.compile(rf"(?<![.\w])({'|'.join(map(re.escape, sorted(names)))})(?!\w)")
-    return shader.Source(word.sub(lambda m: prefix + m[1], text), file.path, first)
+    return shader.Source(word.sub(lambda m: prefix + m[1], text), file.path, first, is_own=True)
 
 
 def uniforms(file: BrdfFile, prefix: str) -> str:

@@ -73,7 +73,7 @@ class EditorPanel:
             self.of, self.widget = (session.current.id, name), CodeEditor(session.text(name), on_change=self.typed)
             self.widget.focus()
         self.widget.set(session.text(name))
-        wrong = self.app.own.wrong
+        wrong = self.app.own.trouble
         self.widget.mark(edit.complaints(wrong, name), self.app.theme)
         room = imgui.get_content_region_avail()
         self.widget.draw("code", ImVec2(0, min(self.widget.height(room.x), MOST * room.y)), self.app.theme)
