@@ -44,6 +44,7 @@ class Coated:
     of: Fit | None = None
     warnings: tuple[str, ...] = ()
     edits: Overrides = ()  # the user's texts, where the GLSL is made of them
+    is_anisotropic = False
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -51,7 +52,7 @@ class Coated:
         found = self.of.values if self.of else {}
         return tuple(Parameter(p.name, p.type, p.low, p.high, found.get(p.name, p.default), 0) for p in PARAMETERS)
 
-    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None, x=None) -> np.ndarray:
         """float64 values (..., 3) in 1/sr at unit vectors (..., 3); float32 of the user's texts."""
         given = {p.name: p.default for p in self.parameters} | (values or {})
         if self.edits:
