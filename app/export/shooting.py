@@ -13,6 +13,7 @@ from app.export.labels import COARSE, Box, Clutter, Placed, Word, draw_words, in
 from app.gpu.context import context
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.gpu.watch import watch
 from app.leaving import decisions, lean
 from app.lesson import Camera
 from app.state import View
@@ -62,6 +63,7 @@ class Shooting:
 
     def picture(self, values: dict, camera: Camera) -> Image.Image:
         stage, ink = self.stage(values), self.ink
+        watch(stage, values, camera)
         stage.draw(values, camera, self.size, self.theme)
         picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
         taken = notice(picture, faults, ink)

@@ -1,5 +1,6 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, cast
 
@@ -7,7 +8,8 @@ import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.gpu.context import pixel, program
+from app import loops
+from app.gpu.context import endless, pixel, program
 from app.gpu.evaluate import data_texture
 from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
@@ -63,29 +65,34 @@ class Stage:
         self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
         self.passing: dict = {}  # programs of texts that are being edited
+        self.watched: Programs = {}  # those with a loop of the user's
         with ctx:
             self.compile(None)
             self.place(triangles)
 
-    def rewrite(self, overrides: Overrides) -> None:
-        """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
+    def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
+        """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
+        what was drawn before goes on.
 
         All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
         if overrides == self.source.overrides:
             return
-        before, self.source = self.source, replace(self.source, overrides=overrides)
+        before, runs = (self.source, self.programs, self.watched, self.arrays), False
+        self.source, self.arrays = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
-                made = self.compiled(None)
-        except Problem:
-            self.source = before
-            raise
-        with self.ctx:
-            for array in self.arrays.values():
-                array.release()
-            self.arrays, self.programs = {}, made
-            for key in [key for key, use in self.passing.items() if use not in made.values()]:
-                self.passing.pop(key).release()
+                self.programs = self.compiled(None)
+            trial()
+            runs = True
+        finally:
+            unused = before[3] if runs else self.arrays
+            if not runs:
+                self.source, self.programs, self.watched, self.arrays = before
+            with self.ctx:
+                for array in unused.values():
+                    array.release()
+                for key in [key for key, use in self.passing.items() if use not in self.programs.values()]:
+                    self.passing.pop(key).release()
 
     def compile(self, names: tuple[str, ...] | None) -> None:
         self.programs |= self.compiled(names)
@@ -114,19 +121,25 @@ class Stage:
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
+        texts = self.texts(names)
+        if names is None:
+            self.watched = {name: pair for name, pair in texts.items()
+                            if any(part and loops.COUNT in part.text for part in pair)}
         passing = self.passing_now
         one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
-        for name, (vertex, fragment) in self.texts(names).items():
+        for name, (vertex, fragment) in texts.items():
             if fragment and name in ("surface", "mesh") and not one:
                 for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
                     found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
             else:
-                found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
+                values = () if fragment else ("value", "v_endless") if name in self.watched else ("value",)
+                found[name] = program(self.ctx, vertex, fragment, values, passing)
         return found
 
     def texts(self, names: tuple[str, ...] | None) -> Programs:
         source = self.source
-        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
+        return programs(self.scene, source.file, source.first, names=names,
+                        overrides=source.overrides, watched=True)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -251,8 +264,7 @@ class Stage:
         ctx.enable(moderngl.BLEND)
         ctx.blend_func = OVER
         if "dots" in self.programs:
-            self.bind_data(self.programs["dots"])
-            self.array("dots").render(moderngl.POINTS, self.dot_count(values))
+            self.paint_dots(values)
         for i, mark in enumerate(self.scene.marks):
             self.paint_mark(i, mark)
         target.depth_mask = False
@@ -279,6 +291,10 @@ class Stage:
             self.ctx.cull_face = away
             array.render()
         self.ctx.disable(moderngl.CULL_FACE)
+
+    def paint_dots(self, values: dict) -> None:
+        self.bind_data(self.programs["dots"])
+        self.array("dots").render(moderngl.POINTS, self.dot_count(values))
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
@@ -322,13 +338,16 @@ class Stage:
             self.take_tables(given)
             self.bind_data(use)
             give(use, **on_gpu(given))
-            before, out = self.ctx.fbo, self.ctx.buffer(reserve=16 * count)
+            width = 4 + (name in self.watched)
+            before, out = self.ctx.fbo, self.ctx.buffer(reserve=4 * width * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
             before.use()
-            answer = np.frombuffer(out.read(), "f4").reshape(count, 4).astype(float)
+            answer = np.frombuffer(out.read(), "f4").reshape(count, width)
             out.release()
-            return answer
+            if lines := answer[:, 4:].copy().view("i4").max(initial=0):
+                raise endless(int(lines), self.watched[name][0])
+            return answer[:, :4].astype(float)
 
     def faults(self) -> Faults:
         """The faulty pixels of the last picture that was counted."""

@@ -214,8 +214,8 @@ class Presenter(Window):
     def scene_area(self) -> None:
         if self.detail and not self.talk.hands:
             self.scene_column()
-        elif self.own.fault:
-            imgui.text_wrapped(self.own.fault)
+        elif self.own.no_picture:
+            imgui.text_wrapped(self.own.no_picture)
         else:
             self.scene.draw(self.values, self.session.view, self.theme, imgui.get_content_region_avail())
 
