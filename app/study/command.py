@@ -67,17 +67,17 @@ def run(options: argparse.Namespace) -> int:
 
 def jobs(topics: list[str]) -> Iterator[Job]:
     """What is to be measured, in the order of the course."""
-    studied = [(found, found.step.study) for found in steps() if found.step.study]
-    wanted = set()
+    studied = [(found, study) for found in steps() for study in found.step.studies]
+    wanted: set[tuple[str, str]] = set()
     for topic in topics:
-        here = {found.id for found, study in studied if topic in (found.id, found.loaded.id, found.step.name)
-                or topic.lower() in study.title.lower()}
+        here = {(found.id, study.title) for found, study in studied if topic in (found.id, found.loaded.id,
+                found.step.name) or topic.lower() in study.title.lower()}
         if not here:
             known = {word for found, _ in studied for word in (found.id, found.loaded.id)}
             raise Usage(f"there is no study of {topic}.{near(topic, known)}")
         wanted |= here
     for found, study in studied:
-        if topics and found.id not in wanted:
+        if topics and (found.id, study.title) not in wanted:
             continue
         base = {name: spec.default for name, spec in found.values.items()}
         named = {name: spec.choices for name, spec in found.values.items() if spec.choices}
