@@ -1,7 +1,7 @@
-"""Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
+"""Plays a scene: draws it into its own picture, answers its probes."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, cast
 
 import moderngl
@@ -11,6 +11,7 @@ from app import camera as orbit
 from app import loops
 from app.gpu.context import endless, pixel, program
 from app.gpu.evaluate import data_texture
+from app.gpu.picture import SAMPLES, Picture
 from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
@@ -19,21 +20,8 @@ from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
-SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-
-
-@dataclass(frozen=True)
-class Faults:
-    """Pixels whose radiance is not a number, infinite or negative."""
-
-    nan: int = 0
-    inf: int = 0
-    negative: int = 0
-
-    def __bool__(self) -> bool:
-        return bool(self.nan or self.inf or self.negative)
 
 
 def give(use: moderngl.Program, **values) -> None:
@@ -57,12 +45,10 @@ class Stage:
 
     def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
         self.ctx, self.source, self.scene = ctx, source, source.scene
-        self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
+        self.picture, self.matrix, self.line_width = Picture(ctx), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
         self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
         self.programs: dict[str, moderngl.Program] = {}
-        self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
-        self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
         self.passing: dict = {}  # programs of texts that are being edited
         self.watched: Programs = {}  # those with a loop of the user's
@@ -111,7 +97,7 @@ class Stage:
             own = program(self.ctx, only(todo, vertex), only(todo, fragment), (), self.passing_now)
         self.programs[f"{use} {todo}"] = own
         for fine, counted in ((False, False), (False, True), (True, False)):
-            self.draw(values, camera, self.size, theme, fine, counted)
+            self.draw(values, camera, self.picture.size, theme, fine, counted)
         return True
 
     @property
@@ -209,50 +195,24 @@ class Stage:
         with self.ctx:
             fine = fine and self.ctx.max_samples >= SAMPLES
             drawn_into = ("picture", "faults") if counted else ("picture",)
-            target = self.target(drawn_into, fine)
+            target = self.picture.target(drawn_into, fine)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
             if counted:
-                self.target(("faults",), fine).clear()
+                self.picture.target(("faults",), fine).clear()
             target.use()  # last: clearing a framebuffer without depth leaves the depth mask off
             self.paint(values, target)
             if fine:
-                self.ctx.copy_framebuffer(self.target(drawn_into, False), target)
+                self.ctx.copy_framebuffer(self.picture.target(drawn_into, False), target)
             before.use()
-            return self.part("picture", False)
+            return self.picture.texture
 
     def aim(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme) -> None:
         """All that a picture depends on. From now on probes answer for it, and at once: they wait for what is drawn."""
         with self.ctx:
-            self.resize(size)
+            self.picture.resize(size)
             self.take_tables(values)
             self.set_uniforms(values, camera, theme)
-
-    def resize(self, size: tuple[int, int]) -> None:
-        size = max(1, int(size[0])), max(1, int(size[1]))
-        if size == self.size:
-            return
-        limit = self.ctx.info["GL_MAX_TEXTURE_SIZE"]
-        if max(size) > limit:
-            raise Problem(f"a picture of {size[0]} x {size[1]} pixels is larger than this OpenGL can draw ({limit}).")
-        self.release_targets()
-        self.size = size
-
-    def target(self, names: tuple[str, ...], fine: bool) -> moderngl.Framebuffer:
-        """A framebuffer of these parts, with depth where there is a picture; made when it is first wanted."""
-        if (names, fine) not in self.targets:
-            depth = self.part("depth", fine) if "picture" in names else None
-            self.targets[names, fine] = self.ctx.framebuffer([self.part(name, fine) for name in names], depth)
-        return self.targets[names, fine]
-
-    def part(self, name: str, fine: bool) -> Any:
-        if (name, fine) not in self.parts:
-            samples = SAMPLES if fine else 0
-            self.parts[name, fine] = (
-                self.ctx.depth_renderbuffer(self.size, samples=samples) if name == "depth" else
-                self.ctx.texture(self.size, 4) if name == "picture" and not fine else
-                self.ctx.renderbuffer(self.size, 4, samples=samples))
-        return self.parts[name, fine]
 
     def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
         """Opaque surfaces, then dots and marks, then what one looks through."""
@@ -311,10 +271,11 @@ class Stage:
         return int(values[count]) if isinstance(count, str) else count
 
     def set_uniforms(self, values: dict, camera: Camera, theme: Theme) -> None:
-        self.matrix = orbit.view_projection(camera, self.size[0] / self.size[1])
-        self.line_width = theme.line * max(0.75, min(self.size) / 620)
+        size = self.picture.size
+        self.matrix = orbit.view_projection(camera, size[0] / size[1])
+        self.line_width = theme.line * max(0.75, min(size) / 620)
         dot = (2.0 + self.line_width) * (self.scene.dots.size if self.scene.dots else 1.0)
-        stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": self.size,
+        stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": size,
                                "camera_position": tuple(orbit.position(camera)), "dot_size": dot}
         for use in self.programs.values():
             give(use, **on_gpu(values), **stage)
@@ -349,21 +310,6 @@ class Stage:
                 raise endless(int(lines), self.watched[name][0])
             return answer[:, :4].astype(float)
 
-    def faults(self) -> Faults:
-        """The faulty pixels of the last picture that was counted."""
-        with self.ctx:
-            counted = self.target(("picture", "faults"), False)
-            found = np.frombuffer(counted.read(components=4, attachment=1), "u1").reshape(-1, 4)
-        if not np.count_nonzero(found.view("<u4") & 0xFFFFFF):
-            return Faults()
-        return Faults(*(int(np.count_nonzero(found[:, i])) for i in range(3)))
-
-    def pixels(self) -> np.ndarray:
-        """uint8 (height, width, 3), the top row first."""
-        with self.ctx:
-            data = np.frombuffer(self.target(("picture",), False).read(components=3, alignment=1), "u1")
-        return data.reshape(self.size[1], self.size[0], 3)[::-1]
-
     # --- the end ---------------------------------------------------------------------------------------------------
     def release_geometry(self) -> None:
         for array in self.arrays.values():
@@ -376,16 +322,11 @@ class Stage:
             texture.release()
         self.arrays, self.geometry, self.data = {}, {}, {}
 
-    def release_targets(self) -> None:
-        for thing in (*self.targets.values(), *self.parts.values()):
-            thing.release()
-        self.targets, self.parts, self.size = {}, {}, (0, 0)
-
     def release(self) -> None:
         """Give back everything but the programs, which the context keeps for the next stage."""
         with self.ctx:
             self.release_geometry()
-            self.release_targets()
+            self.picture.release()
             for use in self.passing.values():
                 use.release()
 
