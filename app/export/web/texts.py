@@ -76,9 +76,11 @@ def declarations(text: str) -> list[str]:
 
 def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
-    texts = programs(one, file, first, shader.WEB)
+    none = {table.given: 0 for table in one.tables if table.given}  # a page has no maps of a user's
+    texts = programs(one, file, first, shader.WEB, known=none)
     return {
         "programs": {name: [squeezed(part.text) if part else "" for part in pair] for name, pair in texts.items()},
+        "decided": [name for name in one.decided if name not in none],  # whole values a program is compiled for
         "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh} for s in one.surfaces],
         "marks": [{"colour": COLOURS.index(m.colour), "ink": m.colour, "line": LINES.index(m.line),
                    "tip": TIPS.index(m.tip), "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width,
