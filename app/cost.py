@@ -63,7 +63,7 @@ def first_frame(kind: type[Stage], source: Source, values: dict) -> tuple[Stage,
     before, ctx.extra = ctx.extra, {"pixel": pixel(ctx)}  # no program but what is compiled now
     try:
         start = time.perf_counter()
-        stage = kind(ctx, source, values.get("triangles"))
+        stage = kind(ctx, source, values.get("triangles"), values)
         frame(stage, values)
         return stage, time.perf_counter() - start
     finally:

@@ -680,6 +680,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3),
         meshes=("knot", "bowl", "sphere", "cube"),
         brush=True,
+        decided=("shows",),
     ),
     plot=(
         Ledger("Factor by factor, at the point", ((
@@ -854,6 +855,8 @@ counting, the white curve of the second plot. Ten thousand bumps give D = 3.60 i
     minutes=7,
 )
 
+MAPS = tuple(Table(f"{name}_map", map=name, given=f"own_{name}") for name in ("albedo", "f0", "roughness", "normal"))
+
 TEXTURING = Step(
     name="texturing",
     title="Four maps, two kinds",
@@ -926,7 +929,8 @@ vec4 probe(int i) {
         labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
         handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
         legend=(("l", "colour: decode"), ("v", "number: as it is")),
-        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
+        tables=MAPS,
+        decided=tuple(table.given for table in MAPS),
         camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
     ),
     plot=(
@@ -1194,7 +1198,8 @@ vec4 probe(int i) { return vec4(lamp() + vec3(i == 0 ? 0.0 : 0.22, 0.0, 0.0), 1.
         handles=(Handle("the lamp", 0, ("distance",)),),
         camera=Camera(azimuth=-90, elevation=18, distance=9.4, target=(0.03, 0.0, 0.95), field_of_view=20),
         meshes=("knot", "sphere", "bowl", "cube"),
-        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
+        tables=MAPS,
+        decided=tuple(table.given for table in MAPS),
     ),
     plot=(
         Ledger("A white card under the globe", ((

@@ -45,7 +45,8 @@ class Shooting:
         found, triangles = lean(self.found, decisions(self.found, values)), values.get("triangles")
         if self.on_stage is None or self.on_stage[0] is not found:
             self.release()
-            made = Stage(context(), Source(found.step.scene, found.file_name, found.glsl_line), triangles)
+            source = Source(found.step.scene, found.file_name, found.glsl_line)
+            made = Stage(context(), source, triangles, values)
             self.on_stage, self.triangles = (found, made), triangles
         stage = self.on_stage[1]
         if triangles is not self.triangles:

@@ -1,7 +1,7 @@
 """Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
 
 from dataclasses import dataclass, replace
-from typing import Any, cast
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -9,11 +9,12 @@ import numpy as np
 from app import camera as orbit
 from app.gpu.context import pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, needed, pen, programs
+from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.problem import Problem
-from app.shader import Assembled, Overrides
+from app.shader import Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
@@ -34,39 +35,46 @@ class Faults:
         return bool(self.nan or self.inf or self.negative)
 
 
-def give(use: moderngl.Program, **values) -> None:
-    """Set the uniforms a program has among the given ones."""
-    for name, value in values.items():
-        if name not in use:
-            continue
-        uniform = cast(Any, use[name])
-        if isinstance(value, bytes):
-            uniform.write(value[:uniform.element_size * uniform.array_length])
-        else:
-            uniform.value = value
-
-
-def on_gpu(values: dict) -> dict:
-    """The step's values as uniforms; data that is no uniform (a mesh) stays behind."""
-    return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
-
-
 class Stage:
     one_program = False  # for all surfaces, rather than one for each
 
-    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
+    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None,
+                 values: dict | None = None):
+        """`values`: of the first picture, for what the scene decides; without one it is the first of each choice."""
         self.ctx, self.source, self.scene = ctx, source, source.scene
         self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
-        self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
+        self.arrays: dict[tuple[moderngl.Program, str], moderngl.VertexArray] = {}
         self.programs: dict[str, moderngl.Program] = {}
+        self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
+        self.others: dict[tuple[int, ...], dict[str, moderngl.Program]] = {}  # those of other choices, seen before
         self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
         self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
         self.passing: dict = {}  # programs of texts that are being edited
         with ctx:
+            self.choice |= self.chosen(values or {})
             self.compile(None)
             self.place(triangles)
+
+    # --- programs --------------------------------------------------------------------------------------------------
+    def chosen(self, values: dict) -> dict[str, int]:
+        """Of these values what the scene decides; what they do not have stays."""
+        values = on_gpu(self.scene, values)
+        return {name: int(values.get(name, now)) for name, now in self.choice.items()}
+
+    def decide(self, values: dict) -> None:
+        """The programs for what is chosen now: compiled when it is chosen first, found again later.
+
+        A text that is being edited is compiled for every choice at once, as it must be right for each."""
+        choice = self.chosen(values)
+        if choice == self.choice:
+            return
+        before, self.choice = self.choice, choice
+        if not self.source.overrides:
+            self.others[tuple(before.values())] = self.programs
+            self.programs = self.others.get(tuple(choice.values())) or self.compiled(None)
+            self.hold_mesh()
 
     def rewrite(self, overrides: Overrides) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
@@ -84,7 +92,7 @@ class Stage:
         with self.ctx:
             for array in self.arrays.values():
                 array.release()
-            self.arrays, self.programs = {}, made
+            self.arrays, self.programs, self.others = {}, made, {}
             for key in [key for key, use in self.passing.items() if use not in made.values()]:
                 self.passing.pop(key).release()
 
@@ -94,18 +102,24 @@ class Stage:
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
         passing = self.passing if self.source.overrides else None
+        choice = {} if passing is not None else self.choice
         one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
-        for name, (vertex, fragment) in self.texts(names).items():
-            if fragment and name in ("surface", "mesh") and not one:
-                for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
-                    found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
-            else:
-                found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
+        for name in needed(self.scene) if names is None else names:
+            wanted = {name: choice}
+            if name in ("surface", "mesh") and not one:
+                # its number a constant: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
+                # scene does for other surfaces would make its frames up to twice as slow
+                wanted = {f"{name} {i}": choice | {"surface": i} for i, s in enumerate(self.scene.surfaces)
+                          if program_of(s) == name}
+            for called, known in wanted.items():
+                vertex, fragment = self.texts((name,), known)[name]
+                found[called] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
         return found
 
-    def texts(self, names: tuple[str, ...] | None) -> Programs:
+    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
+        """What is compiled, for the values that are `known`."""
         source = self.source
-        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
+        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides, known=known)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -117,16 +131,21 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
-                if any("texture_coordinates" in use for use in self.programs.values()):
-                    self.hold("texture_coordinates", WITHOUT)
-                if any("normals" in use for use in self.programs.values()):
-                    self.hold("normals", corner_normals(triangles))
+        self.hold_mesh()
         for uniform, path in self.scene.measured:
             from app.board import merl
 
             self.hold(uniform, merl.read(path).table)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
+
+    def hold_mesh(self) -> None:
+        """Of a mesh what the programs read beside its corners."""
+        if "triangles" not in self.data:
+            return
+        for name in ("texture_coordinates", "normals"):
+            if name not in self.data and any(name in use for use in self.programs.values()):
+                self.hold(name, WITHOUT if name == "texture_coordinates" else corner_normals(self.data["triangles"][0]))
 
     def hold(self, uniform: str, data: np.ndarray) -> None:
         """Constant data the scene reads by texelFetch; sent once as long as it is the same array."""
@@ -160,11 +179,12 @@ class Stage:
 
     def array(self, use: str, name: str = "") -> moderngl.VertexArray:
         """The vertex array that feeds the program `use` with the geometry `name`."""
-        if (use, name) not in self.arrays:
+        key = made, _ = self.programs[use], name
+        if key not in self.arrays:
             data, indices = self.geometry.get(name, (None, None))
-            content = [data] if data and data[2] in self.programs[use] else []
-            self.arrays[use, name] = self.ctx.vertex_array(self.programs[use], content, indices)
-        return self.arrays[use, name]
+            content = [data] if data and data[2] in made else []
+            self.arrays[key] = self.ctx.vertex_array(made, content, indices)
+        return self.arrays[key]
 
     # --- drawing ---------------------------------------------------------------------------------------------------
     def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme,
@@ -177,6 +197,7 @@ class Stage:
             drawn_into = ("picture", "faults") if counted else ("picture",)
             target = self.target(drawn_into, fine)
             self.take_tables(values)
+            self.decide(values)
             self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
@@ -275,7 +296,7 @@ class Stage:
         stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": self.size,
                                "camera_position": tuple(orbit.position(camera)), "dot_size": dot}
         for use in self.programs.values():
-            give(use, **on_gpu(values), **stage)
+            give(use, **on_gpu(self.scene, values), **stage)
 
     # --- answers ---------------------------------------------------------------------------------------------------
     def probes(self, values: dict) -> np.ndarray:
@@ -292,10 +313,11 @@ class Stage:
 
     def transform(self, name: str, count: int, **given) -> np.ndarray:
         with self.ctx:
+            self.decide(given)
             use = self.programs[name]
             self.take_tables(given)
             self.bind_data(use)
-            give(use, **on_gpu(given))
+            give(use, **on_gpu(self.scene, given))
             before, out = self.ctx.fbo, self.ctx.buffer(reserve=16 * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
@@ -347,11 +369,3 @@ class Stage:
 
 def program_of(surface: Surface) -> str:
     return "mesh" if surface.mesh else "surface"
-
-
-def only(i: int, text: Assembled) -> Assembled:
-    """A program for one surface: its number a constant, so that what the scene does for the others falls away.
-
-    A CPU (llvmpipe) runs both sides of every branch; this makes its frames up to twice as fast.
-    """
-    return replace(text, text=text.text.replace("uniform int surface;", f"const int surface = {i};"))

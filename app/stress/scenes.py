@@ -74,7 +74,8 @@ class Player:
         scene, more = self.found.step.scene, data(self.found, values)
         mesh, whole = more.get("triangles"), values | more
         if self.stage is None:
-            self.stage = Stage(self.ctx, Source(scene, self.found.file_name, self.found.glsl_line), mesh)
+            source = Source(scene, self.found.file_name, self.found.glsl_line)
+            self.stage = Stage(self.ctx, source, mesh, whole)
         elif mesh is not self.mesh:
             self.stage.place(mesh)
         self.mesh = mesh
