@@ -37,6 +37,7 @@ from app.lesson import (
     Step,
     Term,
 )
+from app.needs import of_term
 from app.optics.spherical import direction, light_direction, view_direction
 from app.problem import Problem, Usage
 from app.state import write
@@ -130,6 +131,12 @@ class BoardStep(LoadedStep):
             for p in one.model.parameters if one.model else ():
                 named[one.prefix + p.name] = before.get(one.word, "?") + p.name
         return {name: values[was] for name, was in named.items() if was in values}
+
+    @cached_property
+    def peak_needs(self) -> frozenset[str]:
+        """The values that `peak` depends on."""
+        names = frozenset[str]().union(*(of_term(one.term()) for one in self.shown))
+        return (names | {"lobe_scale", "theta_l"}) - {"theta_v", "phi"}
 
     def peak(self, values: dict) -> float:
         """The largest value of the lobes, in the plane of incidence."""

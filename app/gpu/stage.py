@@ -38,10 +38,9 @@ class Faults:
 
 def give(use: moderngl.Program, **values) -> None:
     """Set the uniforms a program has among the given ones."""
-    for name, value in values.items():
-        if name not in use:
-            continue
-        uniform = cast(Any, use[name])
+    known = use.extra = use.extra or {name: use[name] for name in use}  # `in` a program goes through all its names
+    for name in known.keys() & values.keys():
+        uniform, value = cast(Any, known[name]), values[name]
         if isinstance(value, bytes):
             uniform.write(value[:uniform.element_size * uniform.array_length])
         else:
@@ -98,13 +97,35 @@ class Stage:
     def compile(self, names: tuple[str, ...] | None) -> None:
         self.programs |= self.compiled(names)
 
+    def settle(self, values: dict, camera: Camera, theme: Theme) -> bool:
+        """Where surfaces share a program one more gets its own, compiled for every kind of picture: for idle moments,
+        as it takes a tenth of a second. False: there is none left. The picture stays what it was, with soft edges."""
+        shared = {i: program_of(surface) for i, surface in enumerate(self.scene.surfaces)}
+        shared = {i: use for i, use in shared.items() if use in self.programs and f"{use} {i}" not in self.programs}
+        if not shared:
+            return False
+        todo, use = next(iter(shared.items()))
+        vertex, fragment = self.texts((use,))[use]
+        assert fragment
+        with self.ctx:
+            own = program(self.ctx, only(todo, vertex), only(todo, fragment), (), self.passing_now)
+        self.programs[f"{use} {todo}"] = own
+        for fine, counted in ((False, False), (False, True), (True, False)):
+            self.draw(values, camera, self.size, theme, fine, counted)
+        return True
+
+    @property
+    def passing_now(self) -> dict | None:
+        """Where the programs of a text that is being edited are kept."""
+        return self.passing if self.source.overrides else None
+
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
         texts = self.texts(names)
         if names is None:
             self.watched = {name: pair for name, pair in texts.items()
                             if any(part and loops.COUNT in part.text for part in pair)}
-        passing = self.passing if self.source.overrides else None
+        passing = self.passing_now
         one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
         for name, (vertex, fragment) in texts.items():
             if fragment and name in ("surface", "mesh") and not one:
@@ -184,13 +205,11 @@ class Stage:
              fine: bool = True, counted: bool = True) -> moderngl.Texture:
         """The picture at these values, the same texture until the size changes: with soft edges when `fine`, and with
         the count of its faults when `counted` (it takes a third longer: a window counts when nothing moves)."""
+        self.aim(values, camera, size, theme)
         with self.ctx:
-            self.resize(size)
             fine = fine and self.ctx.max_samples >= SAMPLES
             drawn_into = ("picture", "faults") if counted else ("picture",)
             target = self.target(drawn_into, fine)
-            self.take_tables(values)
-            self.set_uniforms(values, camera, theme)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
             if counted:
@@ -201,6 +220,13 @@ class Stage:
                 self.ctx.copy_framebuffer(self.target(drawn_into, False), target)
             before.use()
             return self.part("picture", False)
+
+    def aim(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme) -> None:
+        """All that a picture depends on. From now on probes answer for it, and at once: they wait for what is drawn."""
+        with self.ctx:
+            self.resize(size)
+            self.take_tables(values)
+            self.set_uniforms(values, camera, theme)
 
     def resize(self, size: tuple[int, int]) -> None:
         size = max(1, int(size[0])), max(1, int(size[1]))
