@@ -182,7 +182,7 @@ STUDIES: dict[str, tuple[Study, ...]] = {
         over="directions", integrand=(Term("brdf_matter_blinn", {"channel": 0}),), sampler="beckmann", width="m",
         eye="theta_d", without=BODY, worst={"theta_d": (0.0, 46.0, 80.0)}, cases=({"material": 2, "m": 0.3},))),
     "plausible_shading/energy": (Study(
-        "Cost of a digit: albedo of a coat and its body",
+        "Cost of a digit: a coated body's albedo",
         (Term("albedo_cook_torrance", {"m": 0.02}), Term("albedo_body", {"coupling": 3})), COATED,
         why="The body is broad and the coat's mirror is a needle: blind points find the body and miss the mirror, and "
             "say nothing of it. Each drawn in its own way, both are there from the first samples.",
