@@ -138,8 +138,8 @@ STUDIES: dict[str, tuple[Study, ...]] = {
         over="directions", integrand=(Term("brdf_eon"),), without=NO_LOBE, cases=({"theta_v": 60.0},)),
         Study(
         "Cost of a digit: Oren–Nayar's albedo", Term("albedo_oren_nayar"), MATT,
-        why="max(0, s) and max(n·l, n·v) are two creases across the hemisphere: past a few digits every rule gains as "
-            "little as the points do. The short form looks simple and is the dearer one to integrate.",
+        why="max(0, s) bends across the whole hemisphere, and max(n·l, n·v) on a ring: Gauss points lose what makes them "
+            "fast. Sobol points, which no line upsets, go on gaining and overtake them in the last digits.",
         over="directions", integrand=(Term("brdf_oren_nayar"),), without=NO_LOBE, cases=({"theta_v": 60.0},))),
     "microfacets/cook_torrance": (Study(
         "Cost of a digit: Cook-Torrance's albedo", Term("albedo_cook_torrance"),
