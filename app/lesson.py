@@ -301,7 +301,6 @@ class Study(Worded):
     exact: Term | tuple[Term, ...] | Method | float | str
     methods: tuple[Method, ...]
     why: str  # why the winner wins
-    tab: str = ""  # where a step has several
     over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
     integrand: tuple[Term, ...] = ()
     sampler: str = ""
