@@ -174,7 +174,9 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
             "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
     values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
     leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
-                         without={"f_material": "f_material_schlick"}, of="of the light"),),
+                         without={"f_material": "f_material_schlick"}, of="of the light"),
+                LeaveOut("G in the lamp's light", Term("cook_torrance_open_error"), 1e-3, "All facets open",
+                         without={"cook_torrance_dg": "cook_torrance_open"}, of="of the highlight"),),
     minutes=6,
 )
 
