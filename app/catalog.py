@@ -217,6 +217,7 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
     found += [(f"leave-out {one.label!r}", one.error, data) for one in step.leave_outs
               if isinstance(one.error, Term)]
+    found += [(f"break {one.label!r}", one.term, data) for one in step.breaks]
     for plot in step.plots:
         if isinstance(plot, Curves):
             found += [(f"curve {c.label!r}", c.term, data | {plot.sweep}) for c in plot.curves]
