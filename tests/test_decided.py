@@ -42,8 +42,8 @@ def on_stage(found, values, ctx, **changes) -> Stage:
 
 def picture(stage, values) -> np.ndarray:
     stage.draw(values, stage.scene.camera, SIZE, DARK, fine=False)
-    assert not stage.faults()
-    return stage.pixels().astype(int)
+    assert not stage.picture.faults()
+    return stage.picture.pixels().astype(int)
 
 
 @pytest.fixture

@@ -10,10 +10,9 @@ from app.lesson import Scene
 
 def give(use: moderngl.Program, **values) -> None:
     """Set the uniforms a program has among the given ones."""
-    for name, value in values.items():
-        if name not in use:
-            continue
-        uniform = cast(Any, use[name])
+    known = use.extra = use.extra or {name: use[name] for name in use}  # `in` a program goes through all its names
+    for name in known.keys() & values.keys():
+        uniform, value = cast(Any, known[name]), values[name]
         if isinstance(value, bytes):
             uniform.write(value[:uniform.element_size * uniform.array_length])
         else:
