@@ -57,9 +57,9 @@ class Include:
 Overrides = tuple[tuple[str, Source], ...]  # (what #include names, what is read in its place), in order of names
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Block:
-    """A top-level declaration: its lines, what it names and which words it uses."""
+    """A top-level declaration: its lines, what it names and which words it uses. A file's are made once."""
 
     lines: tuple[Line, ...]
     names: frozenset[str]
@@ -223,9 +223,12 @@ def declared(code: str) -> frozenset[str]:
 
 
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
-             entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
-    """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
+             entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None,
+             shorten: Callable[[list[Block]], list[Block]] | None = None) -> Assembled:
+    """The text to compile: header, then every declaration that `entry` can reach, in the order written; of what
+    `shorten` leaves of them."""
     found = declarations(text, file, first, overrides)
+    found = shorten(found) if shorten else found
     wanted, queue = {*entry, ALWAYS}, [*entry, ALWAYS]
     by_name: dict[str, list[Block]] = {}
     for part in found:

@@ -133,13 +133,13 @@ STUDIES: dict[str, tuple[Study, ...]] = {
                {"ndf": 1, "m": 1.0}, {"ndf": 1, "m": 4.472e-4}, {"ndf": 3, "m": 1.0}, {"ndf": 3, "m": 0.01},
                {"ndf": 3, "m": 1e-4})),),
     "microfacets/interreflections": (Study(
-        "Cost of a digit: EON's albedo", Term("albedo_eon"), MATT, tab="study EON",
+        "Cost of a digit: EON's albedo", Term("albedo_eon"), MATT,
         why="A matt lobe is broad: Gauss points see it whole. Its one crease, at s = 0, is all that holds them up.",
         over="directions", integrand=(Term("brdf_eon"),), without=NO_LOBE, cases=({"theta_v": 60.0},)),
         Study(
-        "Cost of a digit: Oren–Nayar's albedo", Term("albedo_oren_nayar"), MATT, tab="study Oren–Nayar",
-        why="max(0, s) and max(n·l, n·v) are two creases across the hemisphere: past a few digits every rule gains as "
-            "little as the points do. The short form looks simple and is the dearer one to integrate.",
+        "Cost of a digit: Oren–Nayar's albedo", Term("albedo_oren_nayar"), MATT,
+        why="max(0, s) bends across the whole hemisphere, and max(n·l, n·v) on a ring: Gauss points lose what makes them "
+            "fast. Sobol points, which no line upsets, go on gaining and overtake them in the last digits.",
         over="directions", integrand=(Term("brdf_oren_nayar"),), without=NO_LOBE, cases=({"theta_v": 60.0},))),
     "microfacets/cook_torrance": (Study(
         "Cost of a digit: Cook-Torrance's albedo", Term("albedo_cook_torrance"),
@@ -156,33 +156,33 @@ STUDIES: dict[str, tuple[Study, ...]] = {
         worst=EVERYWHERE, cases=({"m": 0.5}, {"m": 0.01})),),
     "geometry_term/smith": (Study(
         "Cost of a digit: GGX's albedo", Term("albedo_ggx", {"alpha": "m", "f0": 1.0}),
-        (*BLIND, *GRIDS, *DRAWN, Method("Gauss mirror", "gauss mirror"), *HALVES, PIECES), tab="study GGX",
+        (*BLIND, *GRIDS, *DRAWN, Method("Gauss mirror", "gauss mirror"), *HALVES, PIECES),
         why="Smith's G has no crease, and over l the horizon is the edge of the domain itself: twice the Gauss points a "
             "side, twice the digits. Over h the horizon cuts through, and that is a step.",
         over="directions", integrand=(Term("brdf_ggx", {"alpha": "m", "f0": 1.0}),), sampler="ggx", width="m",
         without=TAILS, worst={"theta_v": (0.0, 46.0)}, cases=({"m": 1.0}, {"m": 0.5}, {"m": 0.1}, {"m": 0.01})),
         *(Study(
-        f"Cost of a digit: Smith's {words} albedo", EXACT, (*NARROW, LAGUERRE, PIECES), tab=f"study {tab}",
+        f"Cost of a digit: Smith's {words} albedo", EXACT, (*NARROW, LAGUERRE, PIECES),
         why="Beckmann's facets under a G without creases: the drawn samples and the rules over h lose only what the "
             "horizon cuts off. Cut there too, and 12 points a piece leave a billionth.",
         over="directions", integrand=(Term("brdf_geometry", {"f0": 1.0, "geometry": kind}),), sampler="beckmann",
         width="m", worst=EVERYWHERE, cases=({"m": 0.5}, {"m": 0.01}))
-          for kind, tab, words in ((2, "product", "separable"), (3, "heights", "correlated")))),
+          for kind, words in ((2, "separable"), (3, "correlated")))),
     "plausible_shading/compare": (Study(
-        "Cost of a digit: a material's albedo", EXACT, COATED, tab="study Cook–Torrance",
+        "Cost of a digit: a material's albedo", EXACT, COATED,
         why="Two lobes in one: a sharp mirror and a broad body. Drawn from both, a sample is never far from either; a rule "
             "for one of them is blind to the other, unless it is cut where they meet.",
         over="directions", integrand=(Term("brdf_matter", {"channel": 0}),), sampler="beckmann", width="m",
         eye="theta_d", without=BODY, worst={"theta_d": (0.0, 46.0, 80.0)},
         cases=({"material": 2, "m": 0.3}, {"material": 5, "m": 0.02})),
         Study(
-        "Cost of a digit: Blinn-Phong's, of a material", EXACT, COATED, tab="study Blinn–Phong",
+        "Cost of a digit: Blinn-Phong's, of a material", EXACT, COATED,
         why="The same two lobes without Fresnel's rise at the rim: what is left to find is the cut of the highlight at the "
             "horizon, and Gauss points that know where it is need a hundredth of the others.",
         over="directions", integrand=(Term("brdf_matter_blinn", {"channel": 0}),), sampler="beckmann", width="m",
         eye="theta_d", without=BODY, worst={"theta_d": (0.0, 46.0, 80.0)}, cases=({"material": 2, "m": 0.3},))),
     "plausible_shading/energy": (Study(
-        "Cost of a digit: albedo of a coat and its body",
+        "Cost of a digit: a coated body's albedo",
         (Term("albedo_cook_torrance", {"m": 0.02}), Term("albedo_body", {"coupling": 3})), COATED,
         why="The body is broad and the coat's mirror is a needle: blind points find the body and miss the mirror, and "
             "say nothing of it. Each drawn in its own way, both are there from the first samples.",

@@ -150,7 +150,7 @@ def drawn(ctx, found, values: dict, size=(240, 220)) -> tuple[np.ndarray, object
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:
         stage.draw(values, found.step.scene.camera, size, DARK)
-        return stage.pixels().astype(int), stage.faults()
+        return stage.picture.pixels().astype(int), stage.picture.faults()
     finally:
         stage.release()
 
@@ -177,8 +177,8 @@ def test_every_view_and_every_choice_is_another_picture_without_faults(ctx):
 
     def picture(**given) -> np.ndarray:
         stage.draw(values | given, found.step.scene.camera, (150, 140), DARK)
-        assert not stage.faults(), given
-        return stage.pixels().astype(int)
+        assert not stage.picture.faults(), given
+        return stage.picture.pixels().astype(int)
 
     try:
         views = [picture(shows=view, model=1) for view in range(14)]

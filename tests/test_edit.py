@@ -111,7 +111,7 @@ def test_the_picture_follows_and_the_last_good_one_stays(ctx):
 
     def picture() -> np.ndarray:
         stage.draw(values, camera, (160, 120), THEMES["dark"], counted=False)
-        return stage.pixels().astype(int)
+        return stage.picture.pixels().astype(int)
 
     first = picture()
     stage.rewrite(edit.overrides({"d_beckmann": text}, known, source))

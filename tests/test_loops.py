@@ -90,7 +90,7 @@ def test_an_endless_loop_is_told_and_the_picture_goes_on(ctx, name):
 
     def picture() -> np.ndarray:
         stage.draw(values, camera, (96, 64), THEMES["dark"], fine=False)
-        return stage.pixels()
+        return stage.picture.pixels()
 
     before, drawn_by = picture(), dict(stage.programs)
     with pytest.raises(Problem) as problem:
@@ -130,7 +130,7 @@ def test_a_loop_of_a_thousand_steps_changes_nothing(ctx):
     for one in (course, mine):
         stage.rewrite(one, lambda: watch(stage, values, camera))
         stage.draw(values, camera, (96, 64), THEMES["dark"], fine=False)
-        pictures.append(stage.pixels())
+        pictures.append(stage.picture.pixels())
     assert stage.watched and np.array_equal(*pictures)
     stage.release()
 

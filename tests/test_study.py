@@ -3,7 +3,6 @@
 import json
 import re
 from dataclasses import replace
-from itertools import pairwise
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,7 +19,7 @@ from app.study.integrals import Integral
 from app.study.measure import cases, measure, reference, seen
 from app.study.names import inputs
 from app.study.points import LINE, SQUARE
-from app.study.record import Line, Point, Record, slope
+from app.study.record import Line, Point, Record
 from app.study.rules import estimate, is_random, ladder
 from app.theme import THEMES
 
@@ -29,87 +28,6 @@ EACH = pytest.mark.parametrize(("found", "study"), STUDIED, ids=[f"{f.id}: {stud
 COOK_TORRANCE = step("microfacets/cook_torrance").step.studies[0]
 GGX = step("geometry_term/smith").step.studies[0]
 D_SUM = step("microfacets/distribution").step.studies[0]
-SEEDS = 24
-
-
-def error(study: Study, rule: str, values: dict, count: int, seeds: int = 1) -> float:
-    values = seen(values)
-    right = reference(study, values)
-    found = [estimate(study, Method("", rule), values, count, seed).value for seed in range(seeds)]
-    return float(np.sqrt(np.mean((np.array(found) / right - 1) ** 2)))
-
-
-def order(study: Study, rule: str, values: dict, seeds: int = SEEDS, powers=range(8, 15, 2)) -> float:
-    counts = [2**k for k in powers]
-    errors = [error(study, rule, values, count, seeds) for count in counts]
-    return slope(np.log(counts), np.log(errors))[0]
-
-
-# --- orders (optics reference 4.3) -----------------------------------------------------------------------------------
-@pytest.mark.parametrize("theta", [0.3, 0.8])
-def test_random_samples_gain_by_the_square_root(theta):
-    assert 0.40 <= order(COOK_TORRANCE, "random importance", {"m": 0.3, "f0": 1.0, "theta_v": theta}) <= 0.60
-
-
-def test_jittered_samples_gain_in_proportion():
-    assert order(COOK_TORRANCE, "jittered importance", {"m": 0.1, "f0": 1.0, "theta_v": 0.3}) >= 0.80
-
-
-def test_jittered_samples_lost_below_the_horizon():
-    assert order(COOK_TORRANCE, "jittered importance", {"m": 0.5, "f0": 1.0, "theta_v": 1.4}) >= 0.45
-
-
-def test_sobol_points_gain_in_proportion():
-    assert order(COOK_TORRANCE, "sobol importance", {"m": 0.3, "f0": 1.0, "theta_v": 0.8}) >= 0.9
-
-
-def test_fibonacci_points_gain_in_proportion():
-    values = {"m": 0.3, "f0": 1.0, "theta_v": 0.8}
-    assert order(COOK_TORRANCE, "fibonacci importance", values, seeds=1, powers=range(8, 17)) >= 0.8
-
-
-def test_gauss_points_stop_at_the_creases_of_the_v_groove():
-    values = {"m": 0.5, "f0": 1.0, "theta_v": 0.8}
-    assert 0.9 <= order(COOK_TORRANCE, "gauss angles", values, seeds=1, powers=range(8, 17, 2)) <= 2.5
-
-
-@pytest.mark.parametrize(("alpha", "theta"), [(0.5, 0.8), (1.0, 0.8), (0.5, 0.0)])
-def test_gauss_points_gain_without_end_where_all_is_smooth(alpha, theta):
-    """Twice the points a side, more than one and a half times the digits; 8 x 8 leave 6e-5, 16 x 16 6e-9."""
-    errors = [error(GGX, "gauss angles", {"m": alpha, "theta_v": theta}, k * k) for k in (8, 16, 32)]
-    for coarse, fine in pairwise(errors):
-        assert fine <= max(coarse**1.5, 1e-12)
-    if (alpha, theta) == (0.5, 0.8):
-        assert errors[0] == pytest.approx(6e-5, rel=0.2) and errors[1] == pytest.approx(6e-9, rel=0.2)
-
-
-@pytest.mark.parametrize("m", [1.0, 0.1, 1e-2, 1e-4])
-@pytest.mark.parametrize("theta", [0.0, 0.8, 1.4])
-def test_the_semi_analytic_way_is_exact_in_a_few_nodes(m, theta):
-    values = {"m": m, "f0": 0.9, "theta_v": theta}
-    right = estimate(COOK_TORRANCE, Method("", "semi-analytic"), values, 40, 0).value
-    for nodes, most in ((16, 1e-10), (24, 1e-13)):
-        found = estimate(COOK_TORRANCE, Method("", "semi-analytic"), values, nodes, 0).value
-        assert abs(found / right - 1) < most
-
-
-def test_one_laguerre_node_is_exact_for_a_narrow_lobe():
-    assert error(COOK_TORRANCE, "laguerre importance", {"m": 0.01, "f0": 1.0, "theta_v": 1.2}, 1) < 1e-13
-
-
-# --- who wins (4.2), in samples: times are for the bench -------------------------------------------------------------
-def test_small_m_makes_drawn_samples_better_and_blind_ones_useless():
-    for rule, narrow_wins in (("random importance", True), ("random uniform", False)):
-        wide, narrow = (error(COOK_TORRANCE, rule, {"m": m, "f0": 1.0, "theta_v": 0.8}, 1024, 8) for m in (1.0, 0.01))
-        assert (narrow < 0.1 * wide) == narrow_wins
-
-
-def test_the_lobe_over_slope_needs_as_many_nodes_at_every_m():
-    """64 nodes in tan a / m are exact at every m; over the angle they do not see a narrow lobe."""
-    for m in (0.1, 0.01, 1e-3, 1e-4):
-        assert error(D_SUM, "gauss half", {"ndf": 2, "m": m}, 64 * 64) < 1e-12
-    assert error(D_SUM, "gauss angles", {"ndf": 2, "m": 1e-4}, 48 * 48) > 0.5
-
 
 # --- silent failures (4.4) -------------------------------------------------------------------------------------------
 def only(study: Study, *labels: str) -> Study:

@@ -1,8 +1,9 @@
 """A scene as programs (text) and constant arrays: what the window, a still and a page all play. No GL here."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import get_args
 
 import numpy as np
@@ -11,6 +12,7 @@ from app import loops, shader
 from app.colormaps import STOPS
 from app.lesson import Colour, Scene
 from app.optics.colour import srgb_to_linear
+from app.pruning import decide
 from app.theme import Theme, colour, rgb
 
 COLOURS: tuple[str, ...] = get_args(Colour)  # in the order of glsl/display/palette.glsl
@@ -55,9 +57,13 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
-             names: tuple[str, ...] | None = None, overrides: shader.Overrides = (), watched: bool = False) -> Programs:
+             names: tuple[str, ...] | None = None, overrides: shader.Overrides = (),
+             known: Mapping[str, int] | None = None, watched: bool = False) -> Programs:
     """name -> (vertex, fragment or None) for every program the scene needs (or the named ones); `watched` ones tell
-    which loop of a user's text was left."""
+    which loop of a user's text was left.
+
+    Whole values that are `known` are no uniforms but constants, and what is not chosen is left out."""
+    shorten = partial(decide, known=known) if known else None
     own = {"scene": shader.Source(scene.glsl, file, first)}
     own |= {one.name: shader.Source(one.text, one.file, one.first, is_own=True) for one in scene.texts}
     own |= dict(overrides)
@@ -70,7 +76,7 @@ def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[st
             lines.insert(1, f'#include "{otherwise}"')
         if watch:
             lines = ["#define main stage_main", *lines, "#undef main", f'#include "stage/watched.{watch}"']
-        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
+        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own, shorten=shorten)
 
     found: Programs = {}
     for name in needed(scene) if names is None else names:

@@ -7,7 +7,8 @@ import numpy as np
 
 from app import camera as orbit
 from app.gpu.context import endless
-from app.gpu.stage import Stage, give, on_gpu, program_of
+from app.gpu.stage import Stage, program_of
+from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera
 from app.shader import Assembled
 
@@ -24,7 +25,7 @@ def watch(stage: Stage, values: dict, camera: Camera) -> None:
     with ctx:
         stage.take_tables(values)
         for use in stage.programs.values():
-            give(use, **on_gpu(values), **given)
+            give(use, **on_gpu(stage.scene, values), **given)
         parts = [ctx.renderbuffer(SIZE, 4, dtype=kind) for kind in ("f1", "f1", "f4")]
         target, before = ctx.framebuffer(parts), ctx.fbo
         target.use()

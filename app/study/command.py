@@ -143,12 +143,12 @@ def record_of(job: Job, budget: float) -> Record:
 
 
 def tell(records: list[Record], machine: dict, as_json: bool) -> None:
-    from app.study.table import table
+    from app.study.table import table, width
 
     if as_json:
         print(text(records, machine))
     else:
-        print("\n\n".join(table(record) for record in records))
+        print("\n\n".join(table(record, width()) for record in records))
 
 
 def text(records: list[Record], machine: dict) -> str:

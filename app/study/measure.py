@@ -1,9 +1,10 @@
 """The clock of a study: every method climbs its ladder, in turns, within a budget of time.
 
-First the methods go up, always the one whose next rung costs least, so that all come about as far in time; each rung is
-run for every angle and, where it is random, for several seeds, which gives its error. What is left of the budget goes
-into further times of all points in turn, so that what disturbs the machine disturbs all. The first run of each method
-warms it up and does not count.
+First the methods go up, always the one whose next rung costs least, so that all come about as far in time; each climbs
+at least one. Who is exact to the last digits or does not find the lobe at all stops, and leaves its time to others.
+Each rung is run for every angle and, where it is random, for several seeds, which gives its error. What is left of the
+budget goes into further times of all points in turn, so that what disturbs the machine disturbs all. The first run of
+each method warms it up and does not count.
 """
 
 import itertools
@@ -22,6 +23,7 @@ from app.study.rules import estimate, is_random, ladder
 from app.terms import evaluate
 
 REPEATS = 5
+ADAPTIVE = 0.03  # s that an adaptive rule may take before it says anything
 CLIMB = 0.75  # of the budget; the rest is for more times of each point
 ENOUGH = 3e-15  # below this error a method need not climb on
 ROUNDING = 1e-12  # nor where three rungs are below this
@@ -53,9 +55,10 @@ def measure(study: Study, values: dict, budget: float, seeds: int = 0, step: str
     exact = [reference(study, given) for given in angles]
     named = {words(given): value for given, value in zip(worst(study), exact, strict=True)}
     names = list(named) if len(named) > 1 else [""] * len(angles)
-    climbers = [climber(study, method, seeds or max(4, 8 // len(angles)), names) for method in study.methods]
+    seeds = seeds or max(4, 8 // len(angles))
+    climbers = [climber(study, method, seeds, names) for method in study.methods]
     record = Record(step, study.title, case, {k: v for k, v in values.items() if isinstance(v, int | float)}, named,
-                    [one.line for one in climbers], seeds=seeds or max(4, 8 // len(angles)), why=study.why)
+                    [one.line for one in climbers], seeds=seeds, why=study.why, without=study.without)
     for one in climbers:
         if not one.method.rule.startswith("cubature"):  # dear, and it calls what the others call
             estimate(study, one.method, angles[0], one.rungs[0], 0)
@@ -63,9 +66,11 @@ def measure(study: Study, values: dict, budget: float, seeds: int = 0, step: str
     end, climbing = begin + budget, begin + CLIMB * budget
     while alive := [one for one in climbers if one.alive]:
         one = min(alive, key=lambda one: expected(one, len(angles)))
-        if one.points and perf_counter() + expected(one, len(angles)) > climbing:
+        if perf_counter() + expected(one, len(angles)) > climbing:
             for late in alive:
-                late.line.stopped = "the time was up"
+                if not late.points:
+                    climb(late, study, angles, exact)
+                late.line.stopped = late.line.stopped or "the time was up"
             break
         climb(one, study, angles, exact)
         report()
@@ -83,8 +88,8 @@ def climber(study: Study, method: Method, seeds: int, names: list[str]) -> Climb
 
 def expected(one: Climber, angles: int) -> float:
     """How long the next rung takes, by the last two."""
-    if not one.points:
-        return 0.0
+    if not one.points:  # each has one, however little time there is
+        return ADAPTIVE * angles if "cubature" in one.method.rule else 0.0
     last = one.points[-1]
     grown = 4.0 if one.method.cost == "level" or "cubature" in one.method.rule else one.rungs[0] / max(last.rung, 1)
     if len(one.points) > 1 and "cubature" not in one.method.rule:

@@ -4,8 +4,6 @@ The tilt is cut at the lobe's width times powers of three and where the horizon 
 sinks below the horizon, and where V-grooves begin to block. Between the cuts all is smooth.
 """
 
-from itertools import pairwise
-
 import numpy as np
 from numpy import pi
 
@@ -29,21 +27,18 @@ def by_pieces(integral: Integral, nodes: int) -> float:
     a, weight = (x.ravel() for x in ended(low, high, nodes))
     s, c = np.sin(a), np.cos(a)
     edges = azimuths(s, c, theta, halves)
-    total = 0.0
-    for begin, end in pairwise(edges):
-        phi, turn = ended(begin, end, nodes)
-        seen = np.nonzero(turn)
-        sine, cosine, phi = s[seen[0]], c[seen[0]], phi[seen]
-        if halves:
-            h = np.stack([sine * np.cos(phi), sine * np.sin(phi), cosine], -1)
-            l, scale = 2 * (h @ v)[:, None] * h - v, 4 * (h @ v)
-        else:
-            up = cosine * np.cos(theta) + sine * np.sin(theta) * np.cos(phi)
-            along = sine * np.cos(theta) * np.cos(phi) - cosine * np.sin(theta)
-            l, scale = np.stack([along, sine * np.sin(phi), up], -1), 1.0
-        share = 2 * weight[seen[0]] * turn[seen] * sine * scale * np.maximum(l[:, 2], 0)
-        total += float(np.sum(share * integral.above(l)))
-    return total
+    phi, turn = ended(edges[:-1], edges[1:], nodes)  # (pieces, tilts, nodes)
+    seen = np.nonzero(turn)
+    phi, sine, cosine = phi[seen], s[seen[1]], c[seen[1]]
+    if halves:
+        h = np.stack([sine * np.cos(phi), sine * np.sin(phi), cosine], -1)
+        l, scale = 2 * (h @ v)[:, None] * h - v, 4 * (h @ v)
+    else:
+        up = cosine * np.cos(theta) + sine * np.sin(theta) * np.cos(phi)
+        along = sine * np.cos(theta) * np.cos(phi) - cosine * np.sin(theta)
+        l, scale = np.stack([along, sine * np.sin(phi), up], -1), np.ones_like(phi)
+    share = 2 * weight[seen[1]] * turn[seen] * sine * scale * np.maximum(l[:, 2], 0)
+    return float(share @ integral.above(l))
 
 
 def ended(low: np.ndarray, high: np.ndarray, nodes: int) -> Pair:

@@ -85,6 +85,16 @@ class Line:
         return slope(*np.log(np.array(seen)).T)
 
     @property
+    def exponential(self) -> bool:
+        """Whether the error falls as r^sqrt(N), N being k x k, rather than as a power: that line lies nearer."""
+        seen = [(p.samples, p.error) for p in self.points if 1e-13 < p.error < 0.9]
+        if len(seen) < 4 or self.random or self.order is None or self.order[0] < 2:
+            return False
+        n, error = np.array(seen, float).T
+        (_, as_power), (_, as_exponent) = slope(np.log(n), np.log(error)), slope(np.sqrt(n), np.log(error))
+        return bool(as_exponent * np.std(np.sqrt(n)) < as_power * np.std(np.log(n)))
+
+    @property
     def silent(self) -> list[Point]:
         return [point for point in self.points if point.silent]
 
@@ -103,6 +113,7 @@ class Record:
     seeds: int = 1
     where: str = "CPU"
     why: str = ""
+    without: dict[str, str] = field(default_factory=dict)  # methods that are left out, and why
 
     def winner(self, tolerance: float) -> tuple[Line, Point] | None:
         """The method that is there first; the reference does not compete, it is what the others are measured by."""

@@ -163,7 +163,7 @@ class Belongings:
                 scene.drawn = None
             else:
                 self.tried = ()
-                scene.show(Stage(self.app.ctx, self.source, self.triangles))
+                scene.show(Stage(self.app.ctx, self.source, self.triangles, self.app.session.values | self.tables))
         except Problem as problem:
             self.fault = str(problem)
         self.app.ctx.screen.use()

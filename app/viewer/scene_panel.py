@@ -7,7 +7,8 @@ from app import camera as orbit
 from app import needs
 from app.brush import angles_of
 from app.gpu.pick import Pick, pick
-from app.gpu.stage import Faults, Stage
+from app.gpu.picture import Faults
+from app.gpu.stage import Stage
 from app.lesson import Handle
 from app.readouts import three
 from app.state import FARTHEST, NEAREST, View
@@ -67,7 +68,7 @@ class ScenePanel:
             self.is_fine, self.faults = rest, None
             if rest:
                 self.stage.draw(values, camera, size, theme, fine=False)
-                self.faults = self.stage.faults()
+                self.faults = self.stage.picture.faults()
             self.stage.draw(values, camera, size, theme, fine=rest, counted=False)
             self.frames_drawn += 1
             self.drawn = wanted
@@ -77,7 +78,7 @@ class ScenePanel:
             self.app.ctx.screen.use()
         corner = self.corner = imgui.get_cursor_screen_pos()
         self.room = room
-        texture = self.stage.part("picture", False)
+        texture = self.stage.picture.texture
         imgui.image(imgui.ImTextureRef(texture.glo), room, uv0=ImVec2(0, 1), uv1=ImVec2(1, 0))
         imgui.set_cursor_screen_pos(corner)
         imgui.invisible_button(
