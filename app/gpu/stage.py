@@ -17,7 +17,7 @@ from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.problem import Problem
-from app.shader import Overrides
+from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
@@ -113,10 +113,12 @@ class Stage:
             return False
         todo, use = next(iter(shared.items()))
         choice = {} if self.source.overrides else self.choice
-        vertex, fragment = self.texts((use,), choice | {"surface": todo})[use]
+        vertex, fragment = pair = self.texts((use,), choice | {"surface": todo})[use]
         with self.ctx:
             own = program(self.ctx, vertex, fragment, (), self.passing_now)
         self.programs[f"{use} {todo}"] = own
+        if has_loops(pair):
+            self.watched[f"{use} {todo}"] = pair
         for fine, counted in ((False, False), (False, True), (True, False)):
             self.draw(values, camera, self.picture.size, theme, fine, counted)
         return True
@@ -140,9 +142,9 @@ class Stage:
                           if program_of(s) == name}
             for called, known in wanted.items():
                 vertex, fragment = pair = self.texts((name,), known)[name]
-                if any(part and loops.COUNT in part.text for part in pair):
-                    watched[name] = pair
-                values = () if fragment else ("value", "v_endless") if name in watched else ("value",)
+                if has_loops(pair):
+                    watched[called] = pair
+                values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
                 found[called] = program(self.ctx, vertex, fragment, values, self.passing_now)
         if names is None:
             self.watched = watched
@@ -268,12 +270,17 @@ class Stage:
         target.depth_mask = True
         ctx.enable_only(moderngl.NOTHING)
 
+    def drawn_by(self, i: int, suffix: str = "") -> str:
+        """The program of a surface: its own, or the one it shares."""
+        kind = program_of(self.scene.surfaces[i])
+        own = f"{kind} {suffix or i}"
+        return own if own in self.programs else kind
+
     def paint_surface(self, i: int, suffix: str = "") -> None:
         surface = self.scene.surfaces[i]
         if f"surface {i}" not in self.geometry:
             return
-        name = f"{program_of(surface)} {suffix or i}"
-        name = name if name in self.programs else program_of(surface)
+        name = self.drawn_by(i, suffix)
         self.bind_data(self.programs[name])
         give(self.programs[name], surface=i, opacity=surface.opacity)
         array = self.array(name, f"surface {i}")
@@ -364,6 +371,11 @@ class Stage:
             self.picture.release()
             for use in self.passing.values():
                 use.release()
+
+
+def has_loops(pair: tuple[Assembled, Assembled | None]) -> bool:
+    """Whether there are loops of the user's in a program."""
+    return any(part is not None and loops.COUNT in part.text for part in pair)
 
 
 def program_of(surface: Surface) -> str:
