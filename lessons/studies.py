@@ -6,6 +6,8 @@ light's directions, h for one over the halfway vectors, D for samples drawn from
 albedo's study leaves out of the course's methods it says, with the reason.
 """
 
+from math import pi as PI
+
 from app.lesson import Method, Study, Term
 
 EVERYWHERE = {"theta_v": (0.0, 46.0, 80.0)}  # degrees; an error is the worst of these
@@ -97,9 +99,11 @@ STUDIES: dict[str, tuple[Study, ...]] = {
             "form still wins: one walk along the edge, whatever the digits.",
         cases=tuple({"light_shape": i} for i in range(4)), pixels="position"),),
     "brdfs/lambert": (Study(
-        "Cost of a digit: Lambert's albedo", "rho", MATT,
+        "Cost of a digit: Lambert's albedo", "rho",
+        (*MATT, Method("tiles", "tiles angles", ladder=(1, 2, 3, 6, 12, 24, 96),
+                       sets={"tile_rows": "rung", "half_angle": 0.5 * PI})),
         why="Drawn by the cosine every sample weighs the same: one is exact. Without it, the samples pay for a cosine that "
-            "is known by heart; Gauss points see it whole.",
+            "is known by heart; Gauss points see it whole, the scene's tiles see it bit by bit.",
         over="directions", integrand=(Term("brdf_lambert"),), eye="", without=NO_LOBE),),
     "brdfs/phong": (Study(
         "Cost of a digit: Phong's albedo", Term("albedo_phong"),
@@ -134,12 +138,13 @@ STUDIES: dict[str, tuple[Study, ...]] = {
                {"ndf": 3, "m": 1e-4})),),
     "microfacets/interreflections": (Study(
         "Cost of a digit: EON's albedo", Term("albedo_eon"), MATT,
-        why="A matt lobe is broad: Gauss points see it whole. Its one crease, at s = 0, is all that holds them up.",
+        why="A matt lobe is broad: no point is wasted. Its one crease, at s = 0, holds Gauss points up after four digits; "
+            "Sobol points, which no line upsets, are first in the last ones.",
         over="directions", integrand=(Term("brdf_eon"),), without=NO_LOBE, cases=({"theta_v": 60.0},)),
         Study(
         "Cost of a digit: Oren–Nayar's albedo", Term("albedo_oren_nayar"), MATT,
         why="max(0, s) bends across the whole hemisphere, and max(n·l, n·v) on a ring: Gauss points lose what makes them "
-            "fast. Sobol points, which no line upsets, go on gaining and overtake them in the last digits.",
+            "fast. Sobol points do not care where a line runs, and come as far.",
         over="directions", integrand=(Term("brdf_oren_nayar"),), without=NO_LOBE, cases=({"theta_v": 60.0},))),
     "microfacets/cook_torrance": (Study(
         "Cost of a digit: Cook-Torrance's albedo", Term("albedo_cook_torrance"),

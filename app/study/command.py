@@ -130,6 +130,7 @@ def measured(chosen: list[Job], end: float, report: "Report | None" = None
                 done.append((job.study, record))
                 bar.advance(task)
     except KeyboardInterrupt:
+        problems.append(Problem(f"interrupted: {len(done)} of {len(chosen)} studies are done, and kept."))
         return done, problems, INTERRUPTED
     return done, problems, 0
 
