@@ -226,7 +226,7 @@ def told(name: str, badge: Badge) -> str:
 def place(badge: Badge) -> str:
     """', at θ_l = 59°, θ_v = 88°, φ = 173°'."""
     names = {"theta_l": "θ of the light", "theta_v": "θ of the eye", "phi": "φ"}
-    parts = [f"{names[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items()]
+    parts = [f"{names[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items() if name in names]
     return f", at {', '.join(parts)}" if parts else ""
 
 

@@ -111,6 +111,7 @@ class Table(Worded):
     files: tuple[str, ...] = ()
     choice: str = ""
     map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
+    given: str = ""  # a `uniform int` that is 1 where there is a map of the user's, else 0; a scene may decide it
 
 
 @dataclass(frozen=True)
@@ -147,6 +148,7 @@ class Scene:
     negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
     texts: tuple[Text, ...] = ()
     measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    decided: tuple[str, ...] = ()  # choices, each a line `uniform int NAME;`, constant in a program
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
 

@@ -10,6 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from app.catalog import LoadedStep, steps
+from app.console import progress
 from app.lesson import Study
 from app.problem import Problem, Usage, near
 from app.study.measure import cases, measure
@@ -95,22 +96,16 @@ def jobs(topics: list[str]) -> Iterator[Job]:
 def measured(chosen: list[Job], end: float, report: "Report | None" = None
              ) -> tuple[list[tuple[Study, Record]], list[Problem], int]:
     """Each job with its share of what time is left; an interruption keeps what is done."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
     warm()
 
     done: list[tuple[Study, Record]] = []
     drawing = 0.3 if report else 0.0  # s that the pictures of a record take
     problems: list[Problem] = []
-    bar = Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
-                   console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty())
     try:
-        with bar:
-            task = bar.add_task("", total=len(chosen))
+        with progress(len(chosen)) as tell:
             for i, job in enumerate(chosen):
                 words = ", ".join(filter(None, (job.found.id, job.case, "" if job.where == "CPU" else job.where)))
-                bar.update(task, description=words)
+                tell(i, words)
                 left = end - perf_counter()
                 if i and left <= drawing:
                     skipped = len(chosen) - i
@@ -128,7 +123,6 @@ def measured(chosen: list[Job], end: float, report: "Report | None" = None
                     report.add(job.study, record)
                     drawing = 0.5 * (drawing + perf_counter() - start)
                 done.append((job.study, record))
-                bar.advance(task)
     except KeyboardInterrupt:
         problems.append(Problem(f"interrupted: {len(done)} of {len(chosen)} studies are done, and kept."))
         return done, problems, INTERRUPTED
