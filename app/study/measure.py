@@ -137,7 +137,7 @@ def said(told: list[tuple], samples: int) -> tuple:
 def verdict(one: Climber) -> str:
     """Why there is no use in climbing on; nothing where there is."""
     errors = [point.error for point in one.points]
-    if not one.line.random and errors[-1] < ENOUGH:
+    if errors[-1] < ENOUGH:
         return "nothing left to gain"
     if not one.line.random and len(errors) > 2 and max(errors[-3:]) < ROUNDING:
         return "nothing left but rounding"
