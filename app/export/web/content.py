@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from app import tables
+from app import badges as judge
+from app import furnace, tables
 from app.badges import SHORT, of_model, told
 from app.breaking import broken, values_of
 from app.catalog import LoadedStep, ValueSpec
@@ -14,12 +15,14 @@ from app.gpu.stage_text import COLOURS, look
 from app.lesson import Model, Readout
 from app.optics import arguments
 from app.prediction import truth_values
+from app.quadrature import gauss_legendre
 from app.quantities import FROM_ANGLES, shown
 from app.readouts import ROUNDING, SUMS
 from app.spoken import said, words
 from app.state import defaults
 from app.theme import THEMES, Theme, colour, rgb
 
+SAME = 3e-6  # in pages: two ways around one of our float32 twins differ by up to 3e-7, other formulas by more
 QUIET = "#5D6574"  # small words on the light theme's panel: 4.5 to 1
 
 
@@ -33,9 +36,11 @@ def content(found: LoadedStep) -> Data:
         "readouts": [readout(one, twins) for one in step.readouts],
         "plots": [plot(one, found, twins) for one in step.plots],
         "ask": question(found, twins),
-        "badges": [badges(model, defaults(found)) for model in step.models],
+        "badges": [badges(model, defaults(found), twins) for model in step.models],
         "themes": {name: themed(theme) for name, theme in THEMES.items()},
     }
+    if step.models:
+        data["rules"] = rules()
     data["breaks"] = [breakage(found, i, twins) for i in range(len(step.breaks))]
     return data | {"twins": twins.found} | constants(found)
 
@@ -77,12 +82,23 @@ def bounded(x: float) -> float:
     return x if math.isfinite(x) else math.copysign(1e300, x)
 
 
-def badges(model: Model, values: dict) -> Data:
-    """A model's badges at these values (float64), and the names of the values they would change with."""
+def badges(model: Model, values: dict, twins: Twins) -> Data:
+    """A model's badges at these values (float64), and what the page needs to find them at others."""
     used = [name for name in model_values(model) if name in values]
-    return {"label": model.label, "ink": model.colour, "depends": used, "found": [
-        {"short": SHORT[name], "ok": badge.ok, "told": told(name, badge)}
-        for name, badge in of_model(model, values).items()]}
+    return {"label": model.label, "ink": model.colour, "depends": used, "term": twins.term(model.term),
+            "shading": model.is_shading, "linear": "radiance" in arguments(model.term.function),
+            "found": [{"name": name, "short": SHORT[name], "ok": badge.ok, "told": told(name, badge)}
+                      for name, badge in of_model(model, values).items()]}
+
+
+def rules() -> Data:
+    """The directions at which badges look, their limits and their words: one source for desktop and page."""
+    return {"views": judge.VIEWS.tolist(), "extremes": judge.EXTREMES.tolist(), "turns": judge.AROUND.tolist(),
+            "seen": judge.SEEN, "same": SAME, "limit": judge.MOST, "radiances": judge.RADIANCES,
+            "along": list(zip(*map(list, gauss_legendre(furnace.FIRST[0])), strict=True)),
+            "around": furnace.FIRST[1], "tile": list(zip(*map(list, gauss_legendre(furnace.ORDER)), strict=True)),
+            "narrowest": furnace.NARROWEST, "part": furnace.PART,
+            "told": judge.TOLD, "unknown": judge.UNKNOWN, "names": judge.PLACES}
 
 
 def model_values(model: Model) -> list[str]:

@@ -33,7 +33,8 @@ def script(content: Data) -> str:
     """The player, with what draws this step's plots and no other."""
     kinds = [name for plot in content["plots"] for name in KINDS[plot["kind"]]]
     shapes = ("shapes.js",) if content["meshes"] else ()
-    own = "".join(text_of(name) for name in (*CORE, *shapes, *dict.fromkeys(kinds)))
+    judged = ("models.js", "furnace.js", "badges.js") if content["badges"] else ()
+    own = "".join(text_of(name) for name in (*CORE, *shapes, *dict.fromkeys((*kinds, *judged))))
     ours = {name for plot in content["plots"] for name in (plot["kind"],)}
     names = {"curves": "CurvesPlot", "slice": "SlicePlot", "ledger": "LedgerPlot", "space": "SpacePlot"}
     table = ", ".join(f"{kind}: {names[kind]}" for kind in names if kind in ours)
@@ -138,8 +139,8 @@ def badges(content: Data) -> str:
     def one(model: Data) -> str:
         words = " ".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
                         f'{"✓" if b["ok"] else "✗"} {escape(b["short"])}</span>' for b in model["found"])
-        return (f'<p class="badges" data-depends="{" ".join(model["depends"])}"><b class="ink-{model["ink"]}">'
-                f'{escape(model["label"])}</b> {words}<small> at the first values</small></p>')
+        return (f'<p class="badges"><b class="ink-{model["ink"]}">{escape(model["label"])}</b> {words}'
+                '<small> of other values</small></p>')
 
     return "".join(map(one, content["badges"]))
 

@@ -26,6 +26,7 @@ class Page {
     this.twins = new Twins(this.gpu, content.twins, values => this.data(values));
     this.guard(this.canvas, this.gpu, () => this.stage);
     this.turning(this.canvas, () => this.camera, camera => { this.camera = camera; });
+    this.badges = typeof Badges === "function" ? new Badges(this) : null;
     this.controls();
     this.handles();
     this.question();
@@ -89,6 +90,7 @@ class Page {
     const found = this.stage.faults(this.values).map((count, i) => count ? `${count} pixels ${["not a number", "infinite", "negative"][i]}` : "");
     $("faults").textContent = found.filter(Boolean).join(", ");
     if (this.content.plots[this.shown].kind === "space") this.plotted(true);
+    this.badges?.judge();
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
@@ -139,8 +141,7 @@ class Page {
       error: against ? errorWords(value[i], exact.get(against), unit) : ""}));
     $("numbers").replaceChildren(...this.numbers.map(({label, role, text, error, unit, value: x}) =>
       element("div", {class: role}, element("dt", {}, label), element("dd", {title: `${x} ${unit} (float32)`}, text, element("small", {}, error)))));
-    for (const one of document.querySelectorAll(".badges[data-depends]"))
-      one.classList.toggle("old", one.dataset.depends.split(" ").some(name => name && this.values[name] !== this.specs.get(name).default));
+    this.badges?.moved();
   }
 
   // --- plots -----------------------------------------------------------------------------------------------------------
