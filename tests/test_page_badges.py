@@ -8,7 +8,7 @@ import pytest
 from app.badges import of_model, told
 from app.catalog import steps
 from app.export.web.command import export
-from app.export.web.content import model_values
+from app.export.web.judged import model_values
 from app.export.web.page import file_of
 from app.state import defaults
 from tests.browser import CHROMIUM, chromium, opened, settle
@@ -65,4 +65,27 @@ def test_verdicts_are_the_desktops(found, browser, tmp_path):
                         assert one["worst"] == pytest.approx(badge.worst, rel=ALBEDO), (model.label, state)
                     elif one["ok"]:
                         assert one["told"] == told(one["name"], badge)
+    assert heard.said == []
+
+
+def test_a_slider_moves_them(browser, tmp_path):
+    """While it moves they are old; at rest they are found anew, in the desktop's words; back at first as they were."""
+    found = next(one for one in JUDGED if one.id == "brdfs/phong")
+    export(found, tmp_path, poster=False)
+    with opened(browser, tmp_path / file_of(found.id)) as (tab, heard):
+        settle(tab)
+        row = tab.locator(".badges").nth(1)
+        first = row.inner_html()
+        energy = row.locator("span").nth(2)
+        assert energy.get_attribute("class") == "kept"
+        tab.evaluate("halfway.change({k_d: 1, k_s: 1})")
+        tab.wait_for_selector(".badges.old")
+        tab.wait_for_function("() => document.querySelectorAll('.badges')[1].querySelector('.broken')")
+        tab.wait_for_function("() => !document.querySelector('.badges.old')")
+        wanted = of_model(found.step.models[1], {**defaults(found), "k_d": 1.0, "k_s": 1.0})["energy"]
+        assert not wanted.ok and energy.get_attribute("title") == told("energy", wanted)
+        tab.evaluate("halfway.change(halfway.defaults())")
+        tab.wait_for_function("() => document.querySelector('.badges.old')")
+        tab.wait_for_function("() => !document.querySelector('.badges.old')")
+        assert row.inner_html() == first
     assert heard.said == []

@@ -52,8 +52,8 @@ class Badges {
     const usual = this.usual(), every = [...usual, ...this.corners()];
     const flat = list => ({l: Float32Array.from(list.flatMap(([l]) => l)), v: Float32Array.from(list.flatMap(([, v]) => v))});
     const {l, v} = flat(usual), value = await f(flat(every)), swapped = await f({l: v, v: l});
-    const low = largest(Array.from(value, x => Number.isNaN(x) ? -Infinity : -x)), bad = value.findIndex(x => !finite(x));
-    const high = bad < 0 ? largest(value.map(Math.abs)) : bad, reciprocal = this.reciprocal(usual, value, swapped);
+    const low = topmost(Array.from(value, x => Number.isNaN(x) ? -Infinity : -x)), bad = value.findIndex(x => !finite(x));
+    const high = bad < 0 ? topmost(value.map(Math.abs)) : bad, reciprocal = this.reciprocal(usual, value, swapped);
     const dark = value.subarray(0, usual.length).every(finite) ? null : await this.dark(f);
     return {non_negative: badge(value[low] >= 0, value[low], every[low]), reciprocal,
             energy: dark || await this.energy(f, reciprocal.ok), finite: badge(bad < 0, Math.abs(value[high]), every[high]),
@@ -77,9 +77,9 @@ class Badges {
   reciprocal(list, value, swapped) {
     const {seen, same} = this.rules, high = list.map(([l, v]) => l[2] > seen && v[2] > seen);
     const odd = high.findIndex((is, i) => is && finite(value[i]) !== finite(swapped[i]));
-    const most = high.map((is, i) => is && finite(value[i]) ? Math.max(Math.abs(value[i]), Math.abs(swapped[i])) : -1), top = most[largest(most)];
+    const most = high.map((is, i) => is && finite(value[i]) ? Math.max(Math.abs(value[i]), Math.abs(swapped[i])) : -1), top = most[topmost(most)];
     if (odd >= 0 || top < 0) return badge(false, null, list[Math.max(odd, 0)]);
-    const off = most.map((x, i) => x > 0 ? Math.abs(value[i] - swapped[i]) / (x + 1e-3 * top) : 0), i = largest(off);
+    const off = most.map((x, i) => x > 0 ? Math.abs(value[i] - swapped[i]) / (x + 1e-3 * top) : 0), i = topmost(off);
     return off[i] ? badge(off[i] <= same, Math.abs(value[i] - swapped[i]) / most[i], list[i]) : KEPT;
   }
 
@@ -91,7 +91,7 @@ class Badges {
       all[Math.floor(i / n)] += share;
       if (!finite(found[i])) lost[Math.floor(i / n)] += share;
     });
-    const i = largest(lost.map((x, k) => x / all[k]));
+    const i = topmost(lost.map((x, k) => x / all[k]));
     return lost[i] / all[i] > part ? {ok: false, worst: null, at: {theta_v: views[i]}} : null;
   }
 
@@ -105,7 +105,7 @@ class Badges {
   // The largest albedo over the angles of a first look, then over some more beside it; of equal ones the first.
   async most(f, name) {
     const {views, limit} = this.rules, first = await this.furnace.albedo(f, views), sure = ({value, error}) => value - error;
-    const i = largest(first.map(sure)), [low, high] = [views[i - 1], views[i + 1]];
+    const i = topmost(first.map(sure)), [low, high] = [views[i - 1], views[i + 1]];
     const more = i > 0 && i < views.length - 1 ? [0.25, 0.5, 0.75].map(x => low + x * (high - low)) : [];
     const all = [...first, ...await this.furnace.albedo(f, more)].sort((a, b) => a.theta - b.theta), top = Math.max(...all.map(sure));
     const best = all.find(one => sure(one) >= top - 4e-4);
@@ -118,7 +118,7 @@ class Badges {
     const each = list.map((_, i) => found.map(one => one[i])), known = each.map(one => one.filter(finite).length);
     const odd = known.findIndex(count => count > 0 && count < radiances.length);
     if (odd >= 0 || !known.some(Boolean)) return badge(false, null, list[Math.max(odd, 0)]);
-    const off = each.map(one => (Math.max(...one) - Math.min(...one)) / Math.max(...one.map(Math.abs)) || 0), i = largest(off);
+    const off = each.map(one => (Math.max(...one) - Math.min(...one)) / Math.max(...one.map(Math.abs)) || 0), i = topmost(off);
     return badge(off[i] <= same, off[i], list[i]);
   }
 

@@ -4,7 +4,7 @@
 
 const POLES = ["eye", "halfway", "mirror"], GRAZING = 1.54, SMOOTH = 2e-5, SURE = 2e-4, DEEPEST = 5, CHANGE = 5e-5, TILES = 600;
 const direction = (theta, phi = 0) => [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
-const largest = list => list.reduce((best, x, i) => x > list[best] ? i : best, 0);
+const topmost = list => list.reduce((best, x, i) => x > list[best] ? i : best, 0);
 const sum = list => list.reduce((a, b) => a + b, 0);
 const cut = ({s, t, high, ...cell}) => [0, 1, 2, 3].map(i =>
   ({...cell, s: s + (i & 1) * high / 2, t: t + (i >> 1) * high / 2, high: high / 2}));
@@ -14,14 +14,14 @@ function pairs(cells, nodes) {
   const count = cells.length * nodes.length, l = new Float32Array(3 * count), v = l.slice(), share = new Float64Array(count);
   let i = 0;
   for (const {eye, pole, width, around, s, t, high} of cells) {
-    const at = pole === "halfway" ? NORMAL : pole === "eye" ? eye : [-eye[0], 0, eye[2]], [across, along] = frame(at);
+    const at = pole === "halfway" ? NORMAL : pole === "eye" ? eye : [-eye[0], 0, eye[2]], [right, up] = across(at);
     for (const [x, y, weight] of nodes) {
-      const turn = around * (s + high * x), way = mix(across, Math.cos(turn), along, Math.sin(turn));
+      const turn = around * (s + high * x), way = mix(right, Math.cos(turn), up, Math.sin(turn));
       const stretch = Math.asinh(Math.atan2(at[2], -way[2]) / width), angle = width * Math.sinh((t + high * y) * stretch);
       let d = mix(at, Math.cos(angle), way, Math.sin(angle));
       let size = 2 * Math.PI * Math.sin(angle) * stretch * Math.hypot(width, angle);
       if (pole === "halfway") {
-        const both = dot(d, eye);
+        const both = d[0] * eye[0] + d[2] * eye[2];
         size *= 4 * Math.max(both, 0);
         d = mix(d, 2 * both, eye, -1);
       }
