@@ -86,6 +86,7 @@ class Page {
     if (this.gpu.lost) return;
     this.picture(false);
     clearTimeout(this.resting);
+    this.badges?.moved();
     this.after ||= setTimeout(() => {
       this.after = 0;
       if (!this.frames) this.name();
@@ -131,7 +132,6 @@ class Page {
       number.textContent = text;
       error.textContent = against ? errorWords(value, exact[against], unit) : "";
     });
-    this.badges?.moved();
   }
 
   // The plot that is shown, or what a break puts in its place.
