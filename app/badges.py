@@ -223,7 +223,7 @@ def told(name: str, badge: Badge) -> str:
 
 def place(badge: Badge) -> str:
     """', at θ_l = 59°, θ_v = 88°, φ = 173°'."""
-    parts = [f"{PLACES[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items()]
+    parts = [f"{PLACES[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items() if name in PLACES]
     return f", at {', '.join(parts)}" if parts else ""
 
 

@@ -111,7 +111,7 @@ def desktop(found, values: dict, ctx) -> tuple[np.ndarray, np.ndarray]:
     def seen(azimuth: float = 0.0, elevation: float = 0.0) -> np.ndarray:
         there = replace(camera, azimuth=camera.azimuth + azimuth, elevation=camera.elevation + elevation)
         stage.draw(values, there, SMALL, THEMES["dark"], fine=False)
-        return stage.pixels().astype(int)
+        return stage.picture.pixels().astype(int)
 
     try:
         picture = seen()

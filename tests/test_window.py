@@ -9,7 +9,7 @@ from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
 from app.catalog import chapters
-from app.gpu.stage import Faults
+from app.gpu.picture import Faults
 from app.theme import THEMES
 from app.viewer import style, text_panel
 from tests.small_lesson import model_lesson

@@ -124,7 +124,7 @@ def around(study: Study, record: Record, look: Look, height: int) -> tuple[np.nd
     names stand at the lines that matter."""
     above, nothing = legend(study, record, look), np.zeros((0, look.size[0], 3), np.uint8)
     for below in (foot(study, record, look), foot(study, record, look, brief=True)):
-        if height - len(above) - len(below) >= max(0.5 * height, 11 * look.small):
+        if height - len(above) - len(below) >= max(0.45 * height, 11 * look.small):
             return above, below, False
     return line_of_words(look, "relative error, over time"), nothing, True
 
@@ -255,11 +255,11 @@ def strokes(canvas: np.ndarray, look: Look, lines: list, place) -> np.ndarray:
 
 def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.ndarray:
     """What the axis is, what failed silently, and (unless brief) why the winner wins."""
-    failed = [f"× {line.label}: {line.silent[-1].words}" for line in record.lines if line.silent]
+    failed = silent_words(record)
     gap, high = round(0.5 * look.text), round(1.3 * look.small)
     room = look.size[0] - 2 * gap
     rows = [("time of one estimate" if record.where == "CPU" else "time of one frame", look.foreground)]
-    rows += [(row, SILENT) for text in failed[:1 if brief else 3] for row in wrapped(look, text, look.small, room)]
+    rows += [(row, SILENT) for text in failed[:1 if brief else 2] for row in wrapped(look, text, look.small, room)]
     rows += [(row, look.quiet) for row in wrapped(look, study.why, look.small, room) if not brief]
     picture = Image.new("RGB", (look.size[0], high * len(rows) + gap), bytes3(look.background))
     draw = ImageDraw.Draw(picture)
@@ -267,6 +267,16 @@ def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.nd
         x, anchor = (look.size[0] / 2, "mm") if i == 0 else (gap, "lm")
         draw.text((x, (i + 0.5) * high), text, bytes3(colour), font(look, look.small), anchor=anchor)
     return np.asarray(picture)
+
+
+def silent_words(record: Record) -> list[str]:
+    """Which methods fail silently, and how: who says converged before who sees no spread."""
+    found: dict[str, list[str]] = {}
+    for line in record.lines:
+        if line.silent:
+            found.setdefault(max(line.silent, key=lambda point: point.wrong).words, []).append(line.label)
+    told = sorted(found.items(), key=lambda one: not one[0].startswith("converged"))
+    return [f"× {'; '.join(labels)}: {words}" for words, labels in told]
 
 
 def chosen(method: Method, point: Point) -> dict[str, Number]:

@@ -9,9 +9,8 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from imgui_bundle import ImVec2, imgui
 
 from app.badges import ASKED, NAMES, SHORT, Badge, key, of_model, told
-from app.edit import EDITED
 from app.lesson import Model
-from app.terms import is_yours
+from app.terms import whose
 from app.theme import colour
 from app.viewer import glfw, style
 from app.viewer.marks import mark
@@ -93,8 +92,10 @@ class BadgesPanel:
         ink = style.u32(colour(model.colour, self.app.theme))
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
-        mine = is_yours(model.term, values)
-        imgui.text_wrapped(model.label + (", yours" if mine else ", the course's" if EDITED in values else ""))
+        owner = whose(model.term, values)
+        imgui.text_wrapped(model.label + (f", {owner}" if owner else ""))
+        if owner == "measured" and imgui.is_item_hovered():
+            imgui.set_tooltip("A measurement is a table, with no text that could be edited: it stays.")
 
     def badges(self, model: Model, values: dict, hidden: bool) -> None:
         """A cell of the table for each."""

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
+from app import needs
 from app.board import course_model
 from app.board.board_step import MOST, BoardStep, Entry, name_of, round_up
 from app.board.coated import Coated
@@ -11,7 +12,7 @@ from app.board.merl import Merl
 from app.board.models import FIT
 from app.catalog import BOARD
 from app.problem import Problem
-from app.readouts import Number, numbers
+from app.readouts import Known, Number, numbers
 from app.theme import colour
 from app.viewer import controls, numbers_panel, style
 from app.viewer.text_panel import heading, question
@@ -23,7 +24,8 @@ LONG = 1.3  # of the ring: longer lobes are cut
 class BoardPanel:
     def __init__(self, app) -> None:
         self.app = app
-        self.figures: tuple[object, list[Number]] = (None, [])  # (revision, the factors at the picked point)
+        self.figures: tuple[tuple | None, list[Number]] = (None, [])  # (revision, the factors at the picked point)
+        self.measured: Known = {}  # of one model
         self.peak: tuple[object, float] = (None, 0.0)
 
     @property
@@ -114,9 +116,12 @@ class BoardPanel:
         if len(self.found.shown) == 1 and self.found.shown[0].factors:
             return
         entry = self.found.shown[int(values["model"])]
-        key = self.found.id, self.app.session.revision
+        key = self.found.id, entry.word, self.app.session.revision
         if self.figures[0] != key:
-            self.figures = key, numbers(replace(self.found.step, readouts=entry.factors), values, self.app.ctx)
+            if self.figures[0] is None or self.figures[0][:2] != key[:2]:
+                self.measured.clear()
+            factors = replace(self.found.step, readouts=entry.factors)
+            self.figures = key, numbers(factors, values, self.app.ctx, self.measured)
             self.app.ctx.screen.use()
         imgui.text_disabled(entry.label + ("" if entry.factors else " has f only, no D, G and F"))
         numbers_panel.draw(self.app, self.figures[1], self.app.theme)
@@ -138,9 +143,10 @@ class BoardPanel:
         return not spec.choices or len(spec.choices) > 1
 
     def longest(self) -> float:
-        key = self.found.id, self.app.session.revision
-        if self.peak[0] != key and not imgui.is_mouse_down(0):
-            self.peak = key, self.found.peak(self.app.session.values)
+        values = self.app.values
+        key = self.found.id, needs.key(values, self.found.peak_needs)
+        if self.peak[0] != key and not (imgui.is_mouse_down(0) or self.app.editor.typed_at):
+            self.peak = key, self.found.peak(values)
             self.app.ctx.screen.use()
         return self.peak[1]
 

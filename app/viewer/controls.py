@@ -1,6 +1,5 @@
 """The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); a tool-tip says what each means."""
 
-import math
 from collections.abc import Iterable
 
 from imgui_bundle import imgui
@@ -8,7 +7,7 @@ from imgui_bundle import imgui
 from app.catalog import ValueSpec
 from app.lesson import Number
 from app.spoken import said, words
-from app.typed import digits
+from app.typed import digits, places
 from app.viewer import style
 
 LABEL = 9.5  # em: at most
@@ -109,8 +108,8 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     flags = BOUNDED | (imgui.SliderFlags_.logarithmic if spec.scale == "log" else 0)
     low, high = (float(spec.quantity.shown(x)) for x in (spec.low, spec.high))  # type: ignore[arg-type]
     unit = spec.quantity.screen_unit
-    label, form = f"##{spec.name}", f"%.{places(spec, low, high)}" + (unit if unit in ("", "°") else f" {unit}")
     now = spec.quantity.shown(value)
+    label, form = f"##{spec.name}", f"%.{places(spec, now)}" + (unit if unit in ("", "°") else f" {unit}")
     if spec.quantity.kind == "int":
         return imgui.slider_int(label, int(now), int(low), int(high), "%d", flags)  # type: ignore[arg-type]
     if spec.quantity.kind == "color" and isinstance(now, tuple):
@@ -122,14 +121,6 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
         return changed, inside(spec, tuple(numbers))
     changed, number = imgui.slider_float(label, now, low, high, form, flags)
     return changed, inside(spec, number)
-
-
-def places(spec: ValueSpec, low: float, high: float) -> str:
-    if spec.scale == "log" and (high / low > 1e3 or low < 0.01):
-        return f"{max(3, math.ceil(-math.log10(low)))}g"  # a logarithmic slider ends at 10^-digits, whatever its low is
-    if low >= 100:
-        return "0f"
-    return "1f" if spec.quantity.is_angle else "2f" if high - low > 0.5 else "3f"
 
 
 def inside(spec: ValueSpec, value: Number) -> Number:

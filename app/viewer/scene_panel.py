@@ -7,7 +7,8 @@ from app import camera as orbit
 from app import needs
 from app.brush import angles_of
 from app.gpu.pick import Pick, pick
-from app.gpu.stage import Faults, Stage
+from app.gpu.picture import Faults
+from app.gpu.stage import Stage
 from app.lesson import Handle
 from app.readouts import three
 from app.state import FARTHEST, NEAREST, View
@@ -24,6 +25,7 @@ class ScenePanel:
         self.stage: Stage | None = None
         self.drawn: tuple | None = None  # what the picture shows; nothing is drawn again until this changes
         self.is_fine = False
+        self.is_settled = False  # every surface has a program of its own, which draws it faster
         self.faults: Faults | None = None  # None: not counted yet, something moves
         self.points: dict[str, np.ndarray] = {}  # where words and handles stand, in the world
         self.held: Handle | None = None
@@ -40,6 +42,7 @@ class ScenePanel:
         if self.stage is not None:
             self.stage.release()
         self.stage, self.drawn, self.held, self.picked = stage, None, None, None
+        self.is_settled = False
 
     def draw(self, values: dict, view: View, theme: Theme, room: ImVec2) -> None:
         """The picture, as large as the room; drawn again only when something it shows has changed."""
@@ -49,27 +52,31 @@ class ScenePanel:
         camera = view.camera(self.stage.scene.camera)
         if self.needed[0] is not self.stage.source:  # another step, or another text of it
             self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.texts(None))
+            self.is_settled = False
         wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
         # between two keys nothing rests: each kind of picture compiles a typed text once more
         rest = not (changed or self.is_fine or self.app.editor.typed_at or imgui.is_mouse_down(0))
+        if changed:  # before anything is drawn, which an answer would wait for
+            self.stage.aim(values, camera, size, theme)
+            self.points, self.picked = self.find_points(values), None
         if changed or rest:
             # while something moves one sample a pixel; as soon as it rests edges are soft, and the faults are counted:
             # in a picture of their own, as soft edges of both take 16 bytes a pixel more
             self.is_fine, self.faults = rest, None
             if rest:
                 self.stage.draw(values, camera, size, theme, fine=False)
-                self.faults = self.stage.faults()
+                self.faults = self.stage.picture.faults()
             self.stage.draw(values, camera, size, theme, fine=rest, counted=False)
             self.frames_drawn += 1
-            if changed:
-                self.points = self.find_points(values)
-                self.picked = None
             self.drawn = wanted
+            self.app.ctx.screen.use()
+        elif self.is_fine and not self.is_settled and not imgui.is_mouse_down(0):
+            self.is_settled = not self.stage.settle(values, camera, theme)
             self.app.ctx.screen.use()
         corner = self.corner = imgui.get_cursor_screen_pos()
         self.room = room
-        texture = self.stage.part("picture", False)
+        texture = self.stage.picture.texture
         imgui.image(imgui.ImTextureRef(texture.glo), room, uv0=ImVec2(0, 1), uv1=ImVec2(1, 0))
         imgui.set_cursor_screen_pos(corner)
         imgui.invisible_button(

@@ -21,7 +21,7 @@ from app.theme import THEMES
 
 PLAYER = Path(__file__).with_name("player")
 CORE = ("values.js", "written.js", "gpu.js", "twins.js", "camera.js", "stage.js", "labels.js", "hand.js", "page.js",
-        "controls.js", "messages.js")  # then what draws the kinds of plots a step has
+        "controls.js", "messages.js", "deck.js")  # then what draws the kinds of plots a step has
 KINDS = {"curves": ("CurvesPlot", ("svg.js", "curves.js")), "ledger": ("LedgerPlot", ("ledger.js",)),
          "slice": ("SlicePlot", ("svg.js", "models.js", "slices.js")),
          "space": ("SpacePlot", ("models.js", "space.js"))}

@@ -76,7 +76,8 @@ def declarations(text: str) -> list[str]:
 
 def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
-    texts = programs(one, file, first, shader.WEB)
+    none = {table.given: 0 for table in one.tables if table.given}  # a page has no maps of a user's
+    texts = programs(one, file, first, shader.WEB, known=none)
     named = [(i, mark) for i, mark in enumerate(one.marks) if mark.label]  # their points come first, then the probes
     words = [{"text": label.text, "ink": label.colour, "at": len(named) + label.probe, "gap": 0}
              for label in one.labels]
@@ -84,6 +85,7 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
               for at, (_, mark) in enumerate(named)]
     return {
         "programs": {name: [squeezed(part.text) if part else "" for part in pair] for name, pair in texts.items()},
+        "decided": [name for name in one.decided if name not in none],  # whole values a program is compiled for
         "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh} for s in one.surfaces],
         "marks": [{"colour": COLOURS.index(m.colour), "line": LINES.index(m.line), "tip": TIPS.index(m.tip),
                    "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width} for m in one.marks],

@@ -42,15 +42,28 @@ function grabbing(grip, handle, page) {
   });
 }
 
-// The places, each 0 to 1, for which a point lies nearest to the pixel `to`: the best of a grid around them, which
-// shrinks. `pixels` gives the point's pixel for each of many lists of places.
+// The places, each 0 to 1, for which a point lies nearest to the pixel `to`: damped least squares (Levenberg, Marquardt).
+// `pixels` gives the point's pixel for each of many lists of places.
 function nearest(places, to, pixels) {
-  for (let width = 0.25; width > 1e-4; width /= 2) {
-    let tried = [[]];
-    for (const at of places)
-      tried = tried.flatMap(some => [0, -0.5, 0.5, -1, 1].map(by => [...some, within(at + by * width, 0, 1)]));
-    const off = pixels(tried).map(([x, y]) => Math.hypot(to[0] - x, to[1] - y));
-    places = tried[off.indexOf(Math.min(...off))];
+  const off = ([x, y]) => Math.hypot(to[0] - x, to[1] - y);
+  let [here] = pixels([places]);
+  for (let round = 0; round < 8 && off(here) >= 0.25; round++) {
+    const nudges = places.map(x => x > 0.5 ? -1e-3 : 1e-3);
+    const nudged = pixels(nudges.map((by, i) => places.map((x, k) => i === k ? x + by : x)));
+    const slopes = nudged.map(([x, y], i) => [(x - here[0]) / nudges[i], (y - here[1]) / nudges[i]]);
+    const tried = [1e-4, 1e-2, 1, 100].map(damping => stepped(places, slopes, to[0] - here[0], to[1] - here[1], damping));
+    const found = pixels(tried), best = found.reduce((a, pixel, i) => off(pixel) < off(found[a]) ? i : a, 0);
+    if (!(off(found[best]) < off(here))) break;
+    [places, here] = [tried[best], found[best]];
   }
   return places;
+}
+
+// One step: J'(JJ' + d)⁻¹ miss, which is (J'J + d)⁻¹J' miss with only two unknowns, as a pixel has two coordinates.
+function stepped(places, slopes, x, y, damping) {
+  const sum = (i, k) => slopes.reduce((total, slope) => total + slope[i] * slope[k], 0);
+  const more = damping * (sum(0, 0) + sum(1, 1)) + 1e-9, a = sum(0, 0) + more, b = sum(0, 1), c = sum(1, 1) + more;
+  const steps = slopes.map(([u, v]) => (u * (c * x - b * y) + v * (a * y - b * x)) / (a * c - b * b));
+  const short = Math.min(1, 0.25 / Math.max(1e-12, ...steps.map(Math.abs)));
+  return places.map((at, i) => within(at + short * steps[i], 0, 1));
 }

@@ -14,7 +14,8 @@ class Page {
     this.gpu = new Gpu(this.canvas);
     this.stage = new Stage(this.gpu, content.scene, data);
     this.twins = new Twins(this.gpu, content.twins, data);
-    this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
+    this.deck = new Deck(content.step);
+    this.set(this.deck.kept ?? (location.search.slice(1) || content.begin || "")); // a page in srcdoc has no address
     this.stage.pictured(this.values); // the programs of the picture compile while the rest is made
     Object.assign(this, {readouts: content.readouts, shown: 0, put: {}, drawn: [], grips: all(".grip")});
     this.restyle(["dark", "light", "projector"].find(name => location.hash.includes(name)) ||
@@ -26,6 +27,7 @@ class Page {
     working(this);
     questioning(this);
     conversing(this);
+    clicking();
   }
 
   // --- values --------------------------------------------------------------------------------------------------------
@@ -154,6 +156,7 @@ class Page {
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
+    this.deck.keep(state);
     try { history.replaceState(null, "", this.link()); } catch { /* a frame without an address */ }
     $("said").textContent = this.numbers.map(({label, text}) => `${label} ${text}`).join(", "); // for screen readers
     post(this.report());

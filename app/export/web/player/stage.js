@@ -11,9 +11,9 @@ class Stage {
 
   // A program at these values: what is decided when it is compiled is a constant in the place of `uniform int kind;`.
   program(name, values) {
-    const {decided = [], programs} = this.scene, key = [name, ...decided.map(one => values[one])].join();
+    const {decided, programs} = this.scene, key = [name, ...decided.map(one => values[one])].join();
     if (!this.made.has(key)) {
-      const constant = (text, one) => text.replace(`uniform int ${one};`, `const int ${one} = ${values[one] ?? 0};`);
+      const constant = (text, one) => text.replace(`uniform int ${one};`, `const int ${one} = ${values[one]};`);
       this.made.set(key, this.gpu.program(...programs[name].map(text => decided.reduce(constant, text))));
     }
     return this.made.get(key);
