@@ -11,18 +11,11 @@ from app.catalog import step
 from app.notebook import show
 from app.problem import Usage
 from app.state import defaults, parse
-from tests.browser import CHROMIUM, chromium, opened
+from tests.browser import CHROMIUM, DRAWN, chromium, opened
 
 STATE = "fresnel/schlick?material=copper&theta=60"
 STRICT = ("<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; style-src 'unsafe-inline'; "
           "script-src 'unsafe-inline'; img-src data:; font-src data:\">")
-DRAWN = """() => { // how far apart the picture's brightest and darkest pixels are
-    const {gpu, canvas} = halfway, gl = gpu.gl, pixels = new Uint8Array(4 * canvas.width * canvas.height);
-    halfway.picture(false);
-    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const greens = pixels.filter((_, i) => i % 4 === 1);
-    return greens.reduce((a, b) => Math.max(a, b)) - greens.reduce((a, b) => Math.min(a, b));
-}"""
 
 
 class Frame(HTMLParser):

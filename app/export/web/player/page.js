@@ -97,7 +97,9 @@ class Page {
       this.resting = setTimeout(() => this.rest(), 250);
       this.frames = (this.frames || 0) + 1;
       document.documentElement.dataset.drawn = this.frames;
-      if (this.frames === 1) setTimeout(typeset);
+      if (this.frames > 1) return;
+      post({halfway: "ready", step: this.content.step});
+      setTimeout(typeset);
     });
   }
 
