@@ -26,7 +26,7 @@ class Pick:
 
 def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[float, float]) -> Pick | None:
     """What lies at a point of the stage's last picture (x, y in [0, 1] from the top left); None on the background."""
-    width, height = stage.size
+    width, height = stage.picture.size
     zoom = np.diag([width, height, 1.0, 1.0])  # the picked pixel fills the picture of one pixel
     zoom[0, 3], zoom[1, 3] = (1 - 2 * at[0]) * width, (2 * at[1] - 1) * height
     matrix = zoom @ orbit.view_projection(camera, width / height)

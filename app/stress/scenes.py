@@ -8,7 +8,8 @@ import numpy as np
 
 from app.catalog import LoadedStep, step
 from app.gpu.context import context
-from app.gpu.stage import Faults, Stage
+from app.gpu.picture import Faults
+from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.lesson import Number
 from app.state import defaults, write
@@ -80,7 +81,7 @@ class Player:
             self.stage.place(mesh)
         self.mesh = mesh
         self.stage.draw(whole, scene.camera, SIZE, THEMES["dark"], fine=False)
-        pixels = self.stage.faults()
+        pixels = self.stage.picture.faults()
         if is_meant(self.found, values):
             pixels = Faults(pixels.nan, pixels.inf)
         places = [self.stage.probes(whole), *self.stage.anchors(whole).values()]
