@@ -15,7 +15,7 @@ def broken(found: LoadedStep, which: int) -> LoadedStep:
     """The step as its break number `which` leaves it; asked twice, the same object."""
     step, one = found.step, found.step.breaks[which]
     shown = tuple(plot_of(plot, one) for plot in step.plots)
-    return replace(found, step=replace(step, scene=swapped_scene(step.scene, one.functions), plot=shown, study=None,
+    return replace(found, step=replace(step, scene=swapped_scene(step.scene, one.functions), plot=shown, studies=(),
                                        readouts=numbers_of(one), values=reaching(found, one)))
 
 

@@ -992,6 +992,7 @@ vec4 probe(int i) {
                 Label("1", 6), Label("10", 7), Label("100", 8)),
         handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
         camera=Camera(azimuth=-80, elevation=30, distance=8.9, target=(0.0, -0.3, 0.25)),
+        decided=("light_shape",),
     ),
     plot=Ledger(
         title="Give one, get the others",
@@ -1102,6 +1103,7 @@ vec4 probe(int i) {
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
         dots=Dots(256, size=0.9),
+        decided=("light_shape", "sampling"),
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
         handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
@@ -1340,6 +1342,7 @@ vec4 probe(int i) {
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
         dots=Dots(256, size=0.9),
+        decided=("light_shape", "sampling"),
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
         handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),

@@ -688,6 +688,7 @@ vec4 probe(int i) {
         camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3),
         meshes=("knot", "bowl", "sphere", "cube"),
         brush=True,
+        decided=("shows",),
     ),
     plot=(
         Ledger("Factor by factor, at the point", ((
@@ -862,6 +863,8 @@ counting, the white curve of the second plot. Ten thousand bumps give D = 3.60 i
     minutes=7, breaks=(Break("a bumpy normal that is not one long", {"d_beckmann": "d_beckmann_naive"}, {"bumps": 3.0, "bump_slope": 0.4}, "A bump adds its slope to n, and the sum is longer than 1. The fast form takes n·h for a cosine: above 1 it finds no angle, and the lamp's highlight explodes over the whole ball. Interpolation and filtering change the length of a normal as well. Normalise, or use a form that does not care.", "D at a normal 2 % too long", Term("d_beckmann", {"n": (0.0, 0.0, 1.02), "h": (0.0, 0.0, 1.0)}), "1/sr"),),
 )
 
+MAPS = tuple(Table(f"{name}_map", map=name, given=f"own_{name}") for name in ("albedo", "f0", "roughness", "normal"))
+
 TEXTURING = Step(
     name="texturing",
     title="Four maps, two kinds",
@@ -934,7 +937,8 @@ vec4 probe(int i) {
         labels=(Label("albedo", 2, "l"), Label("F(0)", 3, "l"), Label("roughness", 4, "v"), Label("normals", 5, "v")),
         handles=(Handle("the lamp", 0, ("light_x", "light_y")), Handle("the point", 1, ("map_s", "map_t"))),
         legend=(("l", "colour: decode"), ("v", "number: as it is")),
-        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
+        tables=MAPS,
+        decided=tuple(table.given for table in MAPS),
         camera=Camera(azimuth=-90, elevation=66, distance=12, target=(0.06, -0.02, 0.1), field_of_view=15.2),
     ),
     plot=(
@@ -1170,8 +1174,7 @@ vec3 luminance(Surface s) { // of each channel, white having the same in all
     vec3 light = s.id % 3 > 0 ? 0.3 * albedo : room * (f0 + albedo * (mistake == 2 ? 1.0 : passed_share(n_dot_v, 0.04)));
     for (int k = 0; k < 2; k++) {
         vec3 way = (k == 0 ? lamp() : SPOT) - s.position, l = normalize(way);
-        float n_dot_l = dot(n, l), lux = candela / dot(way, way);
-        if (n_dot_l <= 0.0) continue;
+        float n_dot_l = max(dot(n, l), 0.0), lux = candela / dot(way, way);
         if (k == 1) lux = spot * spot_linear_cos(dot(l, AXLE), 0.3, 0.42) / dot(way, way);
         vec3 f = albedo / PI; // table and wall are matt
         if (s.id % 3 == 0) {
@@ -1202,7 +1205,8 @@ vec4 probe(int i) { return vec4(lamp() + vec3(i == 0 ? 0.0 : 0.22, 0.0, 0.0), 1.
         handles=(Handle("the lamp", 0, ("distance",)),),
         camera=Camera(azimuth=-90, elevation=18, distance=9.4, target=(0.03, 0.0, 0.95), field_of_view=20),
         meshes=("knot", "sphere", "bowl", "cube"),
-        tables=tuple(Table(f"{name}_map", map=name) for name in ("albedo", "f0", "roughness", "normal")),
+        tables=MAPS,
+        decided=(*(table.given for table in MAPS), "own_coordinates"),
     ),
     plot=(
         Ledger("A white card under the globe", ((

@@ -31,7 +31,7 @@ def drawn(found, values, ctx):
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), more.get("triangles"))
     try:
         stage.draw(more, found.step.scene.camera, (192, 144), THEMES["dark"], fine=False)
-        return stage.pixels().astype(int), stage.faults()
+        return stage.picture.pixels().astype(int), stage.picture.faults()
     finally:
         stage.release()
 

@@ -34,9 +34,9 @@ def test_the_yardstick_colours_the_same_pixels(ctx):
     for kind in (Stage, EverythingOn):
         stage = kind(ctx, Source(found.step.scene))
         stage.draw(defaults(found), found.step.scene.camera, (96, 96), THEMES["dark"], fine=False)
-        assert not stage.faults()
-        pictures.append(stage.pixels().astype(int))
-        drawn = stage.target(("picture", "faults"), False).read(components=4, attachment=1)
+        assert not stage.picture.faults()
+        pictures.append(stage.picture.pixels().astype(int))
+        drawn = stage.picture.target(("picture", "faults"), False).read(components=4, attachment=1)
         covered.append(np.frombuffer(drawn, "u1").reshape(96, 96, 4)[..., 3] > 0)  # opaque surfaces write there
         stage.release()
     assert np.array_equal(*covered) and 0.2 < covered[0].mean() < 1
@@ -125,8 +125,8 @@ FAR = {"panel_width": 0.27, "light_height": 3.0}
 def picture(found, values, ctx):
     stage = Stage(ctx, Source(found.step.scene))
     stage.draw(values, found.step.scene.camera, (128, 96), THEMES["dark"], fine=False)
-    assert not stage.faults()
-    pixels = stage.pixels().astype(int)
+    assert not stage.picture.faults()
+    pixels = stage.picture.pixels().astype(int)
     stage.release()
     return pixels
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from app import optics
+from app import optics, shader
 from app.gpu.pick import pick
-from app.gpu.stage import Stage
+from app.gpu.stage import MANY, Stage
 from app.gpu.stage_text import Source
 from app.lesson import Camera, Dots, Label, Mark, Surface
 from app.meshes import built_in
@@ -49,6 +49,30 @@ def test_a_fine_picture_differs_at_edges_only(ctx):
     same = np.all(np.stack(around) == fast, axis=(0, -1))
     assert same.any() and np.array_equal(fast[same], fine[same]) and (fast != fine).any()
     assert len(np.unique(fine.reshape(-1, 3), axis=0)) > len(np.unique(fast.reshape(-1, 3), axis=0)) == 3
+
+
+def test_many_surfaces_share_a_program_until_each_has_its_own_and_look_the_same(ctx):
+    """As in a window: one at a time; a text that is edited is shared by all again."""
+    glsl = TWO_SPHERES.replace("surface == 0 ? vec3(0.0) : vec3(0.6, 0.1, 0.3)", "0.25 * vec3(surface, surface % 3, 0)")
+    glsl = glsl.replace("s.id == 0 ? vec3(0.1, 0.2, 0.3) : vec3(7.0, 0.4, 0.0)", "vec3(0.1 * float(s.id), 0.3, 0.2)")
+    surfaces = tuple(Surface(f"{i}", cells=(24, 12), opacity=0.5 if i == MANY else 1.0) for i in range(MANY + 2))
+    stage, values = build(glsl, surfaces=surfaces), {"radius": 0.4}
+
+    def settled() -> int:
+        rounds = 0
+        while stage.settle(values, SIDE, DARK):
+            rounds += 1
+        return rounds
+
+    before = picture(stage, values, SIDE, fine=True)
+    assert settled() == MANY + 2 == len({stage.programs[f"surface {i}"].glo for i in range(MANY + 2)})
+    np.testing.assert_array_equal(stage.picture.pixels(), before)
+    np.testing.assert_array_equal(picture(stage, values, SIDE, fine=True), before)
+    stage.rewrite((("scene", shader.Source(glsl.replace("0.3, 0.2", "0.1, 0.2"), "your scene")),))
+    after = picture(stage, values, SIDE, fine=True)
+    assert set(stage.programs) == {"surface"} and (after != before).any()
+    assert settled() == MANY + 2
+    np.testing.assert_array_equal(picture(stage, values, SIDE, fine=True), after)
 
 
 def test_the_nearer_surface_hides_the_farther_one(ctx):
@@ -143,7 +167,7 @@ def test_one_looks_through_a_surface_with_opacity(ctx):
 
 def test_an_empty_scene_is_the_background(ctx):
     stage = build("")
-    assert np.all(picture(stage) == BACKGROUND) and not stage.faults() and stage.probes({}).shape == (0, 4)
+    assert np.all(picture(stage) == BACKGROUND) and not stage.picture.faults() and stage.probes({}).shape == (0, 4)
 
 
 # --- marks, dots, probes -------------------------------------------------------------------------------------------
@@ -250,7 +274,7 @@ def test_a_picture_larger_than_opengl_can_draw_is_refused_and_the_last_one_stays
     before = picture(stage)
     with pytest.raises(Problem, match=f"{limit + 1} x 10 pixels is larger than this OpenGL can draw"):
         stage.draw({}, ABOVE, (limit + 1, 10), DARK)
-    np.testing.assert_array_equal(stage.pixels(), before)
+    np.testing.assert_array_equal(stage.picture.pixels(), before)
 
 
 def test_everything_is_given_back(ctx, monkeypatch):

@@ -23,6 +23,9 @@ from app.plots.wire import Spot, receive, send
 from app.problem import Problem
 from app.theme import Theme
 
+NICE = 5  # a window's picture goes before its plots, where both want the same core
+LOW = getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)  # the same on Windows
+
 
 class PlotDied(Problem):
     """The plots' process has ended by itself."""
@@ -68,7 +71,10 @@ class PlotProcess:
         self.words = tempfile.TemporaryFile()  # noqa: SIM115  the child's last words, closed with it
         self.child = subprocess.Popen([sys.executable, "-P", "-m", "app.plots.child"], stdin=subprocess.PIPE,
                                       stdout=subprocess.PIPE, stderr=self.words,
+                                      creationflags=LOW if self.on_picture else 0,
                                       env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)})
+        if self.on_picture and hasattr(os, "setpriority"):
+            os.setpriority(os.PRIO_PROCESS, self.child.pid, os.getpriority(os.PRIO_PROCESS, 0) + NICE)
         self.wish: Wish | None = None  # the one to be drawn next
         self.busy = False
         self.picture: Picture | None = None

@@ -83,7 +83,6 @@ class PlotPanel:
         size = max(64, int(room.x * scale.x)), max(64, int(room.y * scale.y))
         if self.app.frame > 1:  # the lesson is shown first
             self.ask(values, size)
-        self.take()
         self.at = at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen
         current = self.of == self.app.session.current.id and self.showing is self.app.session.plot

@@ -86,6 +86,7 @@ class Presenter(Window):
         for path in self.dropped[:1]:
             self.own.take_file(path)
         self.dropped.clear()
+        self.plot.take()
         press(self)
         self.talk.tick(min(io.delta_time, 0.1))
         self.watch()
@@ -156,9 +157,8 @@ class Presenter(Window):
     # --- what the class sees -----------------------------------------------------------------------------------------
     def draw(self, main: imgui.Viewport) -> None:
         if self.talk.is_black:
-            imgui.push_style_color(imgui.Col_.window_bg, style.vec((0.0, 0.0, 0.0)))
-            self.pane_of("Black", Rect(0, 0, main.size.x, main.size.y), lambda: None)
-            imgui.pop_style_color()
+            corner = ImVec2(main.pos.x + main.size.x, main.pos.y + main.size.y)
+            imgui.get_background_draw_list(main).add_rect_filled(main.pos, corner, style.u32((0.0, 0.0, 0.0)))
             return
         if self.talk.has_scene:
             self.own.place()
@@ -214,8 +214,8 @@ class Presenter(Window):
     def scene_area(self) -> None:
         if self.detail and not self.talk.hands:
             self.scene_column()
-        elif self.own.fault:
-            imgui.text_wrapped(self.own.fault)
+        elif self.own.no_picture:
+            imgui.text_wrapped(self.own.no_picture)
         else:
             self.scene.draw(self.values, self.session.view, self.theme, imgui.get_content_region_avail())
 
@@ -265,14 +265,9 @@ def prepared(window: Presenter):
 
 def run(window: Presenter) -> int:
     """Open it, with a window more for the lecturer."""
-    from imgui_bundle import immapp
-
     from app import locale_alias
+    from app.viewer.parameters import open_window
 
     locale_alias.ensure()
-    params, add_ons = prepared(window)
-    if not glfw.has_display():
-        glfw.without_display()
-    glfw.without_depth()
-    immapp.run(params, add_ons)
+    open_window(*prepared(window))
     return 0

@@ -39,6 +39,7 @@ FIXED = (
     | imgui.WindowFlags_.no_move
     | imgui.WindowFlags_.no_saved_settings
     | imgui.WindowFlags_.no_bring_to_front_on_focus
+    | imgui.WindowFlags_.no_background  # what is behind them has their colour, and is not drawn twice
 )
 THEME_ORDER = tuple(THEMES)
 LEAST = 960, 540  # pixels: below, the columns would overlap
@@ -115,6 +116,7 @@ class Window:
         for path in self.dropped[:1]:
             self.own.take_file(path)
         self.dropped.clear()
+        self.plot.take()  # before anything is drawn: a texture is written once that is done
         press(self)
         if self.show_welcome:
             overlays.welcome(self, size)
@@ -137,7 +139,7 @@ class Window:
             self.session.save()  # a text is drawn first: one that hangs the graphics is not what the next start opens
         self.exercise.rest()
         idling = hello_imgui.get_runner_params().fps_idling
-        idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_fine))
+        idling.enable_idling = not (self.show_welcome or (self.scene.stage and not self.scene.is_settled))
         last = int(os.environ.get("HALFWAY_EXIT_AFTER_FRAMES", "0"))
         if last and self.frame >= last:
             hello_imgui.get_runner_params().app_shall_exit = True
@@ -182,11 +184,11 @@ class Window:
         room = imgui.get_content_region_avail()
         below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
-        if self.own.fault:
+        if self.own.no_picture:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
             imgui.begin_child("fault", picture, imgui.ChildFlags_.always_use_window_padding)
             imgui.dummy(ImVec2(0, 0.3 * picture.y))
-            imgui.text_wrapped("This picture cannot be drawn.\n" + self.own.fault)
+            imgui.text_wrapped("This picture cannot be drawn.\n" + self.own.no_picture)
             imgui.end_child()
             imgui.pop_style_color()
         else:
