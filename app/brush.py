@@ -30,6 +30,12 @@ def picked_frame(camera: Camera, theta_v: float, turned: float) -> np.ndarray:
     return np.stack([x, np.cross(n, x), n], -1)
 
 
+def tangent_azimuth(theta_v: float, turned: float) -> float:
+    """The azimuth (rad), from the eye's, of X at the picked point: X runs along growing azimuth about the picture's
+    upward direction, as on every ball and object of the board (`ball_tangent` of glsl/display/brush.glsl)."""
+    return math.atan2(math.cos(theta_v) * math.cos(turned), -math.sin(turned))
+
+
 def angles_of(normal, camera: Camera, values: dict) -> dict[str, float] | None:
     """The angles (rad) at which this unit normal is the picked one; None where the light does not reach it.
 

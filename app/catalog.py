@@ -134,7 +134,7 @@ def steps(folder: Path = LESSONS) -> tuple[LoadedStep, ...]:
 
 
 @cache
-def studies(folder: Path = LESSONS) -> dict[str, Study]:
+def studies(folder: Path = LESSONS) -> dict[str, tuple[Study, ...]]:
     """The studies of error against run time, by the name of their step: studies.py beside the chapters."""
     file = Path(folder) / "studies.py"
     if not file.exists():
@@ -185,7 +185,7 @@ def load(file: Path) -> Loaded:
     if not isinstance(chapter, Chapter):
         return broken("line 1: a lesson ends with CHAPTER = Chapter(...).", intro)
     declared = studies(file.parent)
-    studied = tuple(replace(step, study=declared.get(f"{id}/{step.name}")) for step in chapter.steps)
+    studied = tuple(replace(step, studies=declared.get(f"{id}/{step.name}", ())) for step in chapter.steps)
     return Loaded(id, number, file, intro, replace(chapter, steps=studied))
 
 
@@ -217,6 +217,7 @@ def terms(step: Step) -> list[tuple[str, Term, frozenset[str]]]:
     found += [(f"model {m.label!r}", m.term, data | MODELLED) for m in step.models]
     found += [(f"leave-out {one.label!r}", one.error, data) for one in step.leave_outs
               if isinstance(one.error, Term)]
+    found += [(f"break {one.label!r}", one.term, data) for one in step.breaks]
     for plot in step.plots:
         if isinstance(plot, Curves):
             found += [(f"curve {c.label!r}", c.term, data | {plot.sweep}) for c in plot.curves]
@@ -252,10 +253,24 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
         names += [name for name in given if isinstance(name, str) and name in TABLE and name not in free]
     for plot in step.plots:
         names += [plot.sweep] if isinstance(plot, Curves) else ["l", "v"] if isinstance(plot, ModelPlot) else []
-        names += ["theta_v"] if isinstance(plot, Study) and plot.sampler else []
+        names += [plot.eye] if isinstance(plot, Study) and plot.sampler and plot.eye else []
     names = [angle for name in names for angle in FROM_ANGLES.get(name, (name,))]
+    if wrong := undecidable(step):
+        raise Problem(wrong)
     return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
             if name not in DATA}
+
+
+def undecidable(step: Step) -> str:
+    """Why programs cannot be compiled for what the scene decides, in a sentence; "" where they can."""
+    scene, choices = step.scene, [value.name for value in step.values if value.choices]
+    for name in set(scene.decided) - set(scene.of_the_user):
+        if name not in choices:
+            return (f"the scene decides {name}, which is no choice of the step: programs are compiled for each value "
+                    f"of one.{near(name, choices)}")
+        if not re.search(rf"^uniform int {name};$", scene.glsl, re.M):
+            return f"the scene decides {name}, and its GLSL has no line `uniform int {name};`."
+    return ""
 
 
 def unknown_uniforms(scene: Scene) -> list[str]:

@@ -34,12 +34,16 @@ class Prediction(Worded):
 class Break:
     """A button that puts naive forms in the place of stable ones, at the values where that shows; again mends it.
 
-    The scene is compiled with them, in float32; numbers and curves that are not the exact ones show them too."""
+    The scene is compiled with them, in float32; numbers and curves that are not the exact ones show them too. An
+    extreme may lie beyond what the step's own sliders reach; while it is broken, they reach so far."""
 
     label: str  # of the button
     functions: dict[str, str]  # a stable function of the scene -> its naive form, of the same arguments
     sets: dict[str, Number]  # the extreme, in screen units
     told: str  # what a class should remember
+    number: str  # the name of a number that shows by how much: `term` exactly, and in float32 with the naive form
+    term: Term
+    unit: str = ""
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,14 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-Advance = Callable[[str], None]
+Tell = Callable[[int, str], None]  # how many are done, and what is being done
 
 
 @contextmanager
-def progress(total: int) -> Iterator[Advance]:
-    """A bar on a terminal, nothing elsewhere. Called with a step's title before it is done, with nothing at the end."""
+def progress(total: int) -> Iterator[Tell]:
+    """A bar on a terminal, gone at the end; nothing elsewhere."""
     if not sys.stderr.isatty():
-        yield lambda title: None
+        yield lambda done, words: None
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -19,10 +19,4 @@ def progress(total: int) -> Iterator[Advance]:
     columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), TextColumn("{task.description}"))
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=total)
-        begun = [False]
-
-        def advance(title: str) -> None:
-            bar.update(task, description=title, advance=int(begun[0]))
-            begun[0] = True
-
-        yield advance
+        yield lambda done, words: bar.update(task, completed=done, description=words)

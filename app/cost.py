@@ -63,7 +63,7 @@ def first_frame(kind: type[Stage], source: Source, values: dict) -> tuple[Stage,
     before, ctx.extra = ctx.extra, {"pixel": pixel(ctx)}  # no program but what is compiled now
     try:
         start = time.perf_counter()
-        stage = kind(ctx, source, values.get("triangles"))
+        stage = kind(ctx, source, values.get("triangles"), values)
         frame(stage, values)
         return stage, time.perf_counter() - start
     finally:
@@ -83,7 +83,7 @@ def held(stage: Stage) -> tuple[int, int]:
     texels = sum(texture.width * texture.height for _, texture in stage.data.values())
     buffers = sum(data[0].size + (indices.size if indices else 0) for data, indices in stage.geometry.values())
     textures = sum(texture.width * texture.height * texture.components * 4 for _, texture in stage.data.values())
-    targets = sum(4 * part.width * part.height for part in stage.parts.values())  # 4 bytes a pixel, depth too
+    targets = sum(4 * part.width * part.height for part in stage.picture.parts.values())  # 4 bytes a pixel, depth too
     return (buffers + textures + targets) // 1024, texels
 
 

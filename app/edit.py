@@ -106,8 +106,8 @@ def overrides(texts: Mapping[str, str], known: Mapping[str, Function], source: S
         lines = whole.text.split("\n")
         at, count = function.first - whole.first, function.text.count("\n") + 1
         lines[at:at + count] = [f'#include "{YOURS}{name}"', *[""] * (count - 1)]
-        found[function.include] = shader.Source("\n".join(lines), whole.file, whole.first)
-        found[YOURS + name] = shader.Source(text, YOURS + name)
+        found[function.include] = replace(whole, text="\n".join(lines))
+        found[YOURS + name] = shader.Source(text, YOURS + name, is_own=True)
     return tuple(sorted(found.items()))
 
 
@@ -115,7 +115,7 @@ def included(function: Function, source: Source) -> shader.Source:
     """The whole text that a function stands in."""
     for one in source.scene.texts:
         if one.name == function.include:
-            return shader.Source(one.text, one.file, one.first)
+            return shader.Source(one.text, one.file, one.first, is_own=True)
     if function.include == SCENE:
         return shader.Source(source.scene.glsl, source.file, source.first)
     return shader.Source(shader.read(function.include), function.file)

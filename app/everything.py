@@ -36,9 +36,9 @@ class EverythingOn(Stage):
         if all(table.uniform != "roughness_map" for table in self.scene.tables):
             self.hold("roughness_map", MAP)
 
-    def texts(self, names: tuple[str, ...] | None) -> Programs:
+    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
         return {name: (vertex, shading() if name in SHADES else fragment)
-                for name, (vertex, fragment) in super().texts(names).items()}
+                for name, (vertex, fragment) in super().texts(names, known).items()}
 
 
 def shading(header: tuple[str, ...] = shader.DESKTOP) -> shader.Assembled:

@@ -46,9 +46,9 @@ def run(options: argparse.Namespace) -> int:
     rows: list[Row] = []
     todo = steps()
     try:
-        with progress(len(todo)) as advance:
+        with progress(len(todo)) as tell_how_far:
             for found in todo:
-                advance(found.step.title)
+                tell_how_far(len(rows), found.step.title)
                 rows.append(row(found))
     except KeyboardInterrupt:
         tell(rows, options.json, len(todo))

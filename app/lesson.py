@@ -111,6 +111,7 @@ class Table(Worded):
     files: tuple[str, ...] = ()
     choice: str = ""
     map: Literal["", "albedo", "f0", "roughness", "normal"] = ""
+    given: str = ""  # a `uniform int` that is 1 where there is a map of the user's, else 0; a scene may decide it
 
 
 @dataclass(frozen=True)
@@ -147,7 +148,13 @@ class Scene:
     negative: dict[str, tuple[float, float]] = field(default_factory=dict)  # where negative light is meant: from, to
     texts: tuple[Text, ...] = ()
     measured: tuple[tuple[str, str], ...] = ()  # a `sampler2D` of the scene, and the MERL file whose numbers it holds
+    decided: tuple[str, ...] = ()  # choices, each a line `uniform int NAME;`, constant in a program
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
+
+    @property
+    def of_the_user(self) -> tuple[str, ...]:
+        """Whole uniforms that no value of the step sets: 1 where a map, or the mesh's coordinates, are the user's."""
+        return *(table.given for table in self.tables if table.given), "own_coordinates"
 
 
 @dataclass(frozen=True)
@@ -277,7 +284,7 @@ class ImageSlice:
 class Method:
     """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
     whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
-    arguments in the step, or what `sets` says, "N" standing for the samples."""
+    arguments in the step, or what `sets` says, "N" standing for the samples and "rung" for its place on the ladder."""
 
     label: str
     rule: str = ""
@@ -292,17 +299,20 @@ class Study(Worded):
     """Error against run time: what a quantity costs by several methods. It is what their twins estimate, or the
     integral of a product of twins over "directions" (all l, times n.l), "halfways" (all h, times n.h), the "sphere"
     (all `towards`), "angles" (all theta and phi) or "wavelengths". `halfway study` looks at all `cases`; an error is
-    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` (a value, a twin) how wide the lobe is."""
+    the worst over `worst`. `sampler` names sample_* and pdf_*, `width` how wide the lobe is. `exact`
+    is a twin, a sum of twins, a value's name, a number, or a method that has no rival."""
 
     title: str
-    exact: Term | Method | float
+    exact: Term | tuple[Term, ...] | Method | float | str
     methods: tuple[Method, ...]
     why: str  # why the winner wins
     over: Literal["", "directions", "halfways", "sphere", "angles", "wavelengths"] = ""
     integrand: tuple[Term, ...] = ()
     sampler: str = ""
-    width: str | Term = ""
+    width: str | Term | float = ""
     about: Literal["halfway", "mirror"] = "halfway"
+    eye: str = "theta_v"  # the value that is the eye's angle; none: it looks straight down
+    without: dict[str, str] = field(default_factory=dict)  # kinds of methods that are left out, and why
     cases: tuple[dict[str, Number], ...] = ({},)
     worst: dict[str, tuple[float, ...]] = field(default_factory=dict)
     pixels: str = ""  # the value, a place on the floor, over which the GPU draws the methods' twins as a picture
@@ -329,15 +339,15 @@ class Step:
     models: tuple[Model, ...] = ()
     minutes: float = 4.0
     beyond: bool = False  # beyond the deck
-    study: Study | None = None  # of lessons/studies.py
+    studies: tuple[Study, ...] = ()  # of lessons/studies.py
     breaks: tuple[Break, ...] = ()
     leave_outs: tuple[LeaveOut, ...] = ()
 
     @cached_property
     def plots(self) -> tuple[Plot, ...]:
-        """Its plots, each with the models it shows; its study last."""
+        """Its plots, each with the models it shows; its studies last."""
         given = self.plot if isinstance(self.plot, tuple) else (self.plot,)
-        given += (self.study,) if self.study else ()
+        given += self.studies
         return tuple(replace(plot, models=self.models) if isinstance(plot, ModelPlot) and not plot.models else plot
                      for plot in given)
 

@@ -40,8 +40,8 @@ class Sweep:
         now, span = on_screen(spec, value), abs(on_screen(spec, self.last) - on_screen(spec, self.first))
         if q.kind == "int":
             return f"{name} = {now:.0f}"
-        least = min(abs(on_screen(spec, end)) for end in (self.first, self.last))
-        finest = least / 10 if self.is_log else span / 50
+        ends = [abs(on_screen(spec, end)) for end in (self.first, self.last)]
+        finest = min(ends) / 10 if self.is_log else min([span / 50, *(end for end in ends if end)])
         places = min(max(0, -math.floor(math.log10(finest))), 5) if finest > 0 else 2
         unit = q.screen_unit
         return f"{name} = {now:.{places}f}".replace("-", "−") + (unit if unit in ("", "°") else f" {unit}")

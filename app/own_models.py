@@ -9,7 +9,7 @@ Either has one line with the step and the texts, from which the editor opens it 
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app import files, optics, shader
@@ -134,7 +134,8 @@ def brdf(model: Model, found: LoadedStep, texts: Mapping[str, str], values: dict
     edits = dict(among_values(texts, functions(found), source_of(found))[EDITED])
     function = model.term.function
     include, signature = shader.catalogue()[function]
-    glsl = shader.assemble(f'#include "{include}"', function, header=(), entry=(function,), overrides=edits)
+    typed = {name: replace(one, is_own=False) for name, one in edits.items()}  # as typed, without the count of loops
+    glsl = shader.assemble(f'#include "{include}"', function, header=(), entry=(function,), overrides=typed)
     defaults = {a.name: TABLE[a.name].default for a in parameters(model) or ()}
     now = defaults | bound(model.term, {**defaults, "channel": 0, **values}, n=0, l=0, v=0, radiance=1.0)
     lines = ["analytic", f"# {', '.join(sorted(texts))} of {found.id}, edited; the model is {function}",

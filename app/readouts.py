@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.edit import EDITED
 from app.lesson import Readout, Step
 from app.needs import key, of_term
 from app.problem import Problem
-from app.terms import evaluate, is_yours
+from app.terms import evaluate, is_yours, whose
 
 ROUNDING = {"float64": 2.0**-52, "float32": 2.0**-23}  # one unit in the last place
 DIGITS = {"float64": 17, "float32": 9}  # enough to tell any two neighbours apart
@@ -37,7 +36,7 @@ class Number:
     full_text: str  # all digits, for the tool-tip
     cost_ms: float | None  # of evaluating an estimate once, with the way to the GPU and back in float32
     cost_text: str = ""
-    whose: str = ""  # "yours" or "the course's", while something is edited
+    whose: str = ""  # "yours", "the course's" or "measured", while something is edited
 
 
 def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> list[Number]:
@@ -48,9 +47,7 @@ def numbers(step: Step, values: dict, ctx=None, known: Known | None = None) -> l
     shown = {readout.label: without_rounding(readout, found[readout.label][0]) for readout in step.readouts}
     made = [number_of(evaluated(readout, values), *found[readout.label], shown.get(readout.against))
             for readout in step.readouts]
-    if EDITED not in values:
-        return made
-    return [replace(number, whose="yours" if is_yours(readout.term, values) else "the course's")
+    return [replace(number, whose=whose(readout.term, values))
             for readout, number in zip(step.readouts, made, strict=True)]
 
 

@@ -13,6 +13,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from app import loops
 from app.paths import GLSL
 from app.problem import Problem, near
 
@@ -44,6 +45,7 @@ class Source:
     text: str
     file: str
     first: int = 1
+    is_own: bool = False  # not the course's: its loops are counted, and left after too many turns
 
 
 @dataclass(frozen=True)
@@ -55,9 +57,9 @@ class Include:
 Overrides = tuple[tuple[str, Source], ...]  # (what #include names, what is read in its place), in order of names
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Block:
-    """A top-level declaration: its lines, what it names and which words it uses."""
+    """A top-level declaration: its lines, what it names and which words it uses. A file's are made once."""
 
     lines: tuple[Line, ...]
     names: frozenset[str]
@@ -136,7 +138,10 @@ def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides
 @lru_cache(512)
 def lines_of(source: Source) -> tuple[Line | Include, ...]:
     found: list[Line | Include] = []
-    written = source.text.split("\n")
+    text = loops.guarded(source.text, source.file, source.first) if source.is_own else source.text
+    if text != source.text:
+        found.append(Include(loops.COUNTED, source.first))
+    written = text.split("\n")
     for number, (line, code) in enumerate(zip(written, strip_comments(written), strict=True), source.first):
         if match := INCLUDE.match(code):
             found.append(Include(match[1], number))
@@ -218,9 +223,12 @@ def declared(code: str) -> frozenset[str]:
 
 
 def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = DESKTOP,
-             entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None) -> Assembled:
-    """The text to compile: header, then every declaration that `entry` can reach, in the order written."""
+             entry: tuple[str, ...] = ("main",), overrides: dict[str, Source] | None = None,
+             shorten: Callable[[list[Block]], list[Block]] | None = None) -> Assembled:
+    """The text to compile: header, then every declaration that `entry` can reach, in the order written; of what
+    `shorten` leaves of them."""
     found = declarations(text, file, first, overrides)
+    found = shorten(found) if shorten else found
     wanted, queue = {*entry, ALWAYS}, [*entry, ALWAYS]
     by_name: dict[str, list[Block]] = {}
     for part in found:

@@ -62,3 +62,13 @@ def evaluate(term: Term, values: dict, precision: str = "float64", ctx=None, **s
 def is_yours(term: Term, values: dict) -> bool:
     """Whether the value is made of the user's own text."""
     return follows(term.function, values.get(EDITED, ()))
+
+
+def whose(term: Term, values: dict) -> str:
+    """Whose value it is, while something is edited: a table of measurements has no text, and so it stays."""
+    if EDITED not in values:
+        return ""
+    if is_yours(term, values):
+        return "yours"
+    _, _, word = term.function.partition(":")
+    return "measured" if word and import_module("app.board.edited").is_measured(word) else "the course's"

@@ -101,6 +101,21 @@ def digits(value: float) -> str:
     return f"{mantissa}e{int(exponent)}"
 
 
+def places(spec: ValueSpec, now: Number) -> str:
+    """The end of printf's format for a value on the screen, as a slider shows it: what its range asks for, and at least
+    three significant digits of whatever is not 0."""
+    low, high = on_screen(spec, spec.low), on_screen(spec, spec.high)
+    if spec.scale == "log" and (high / low > 1e3 or low < 0.01):
+        return f"{max(3, math.ceil(-math.log10(low)))}g"  # a logarithmic slider ends at 10^-digits, whatever its low is
+    return finer(now, 0 if low >= 100 else 1 if spec.quantity.is_angle else 2 if high - low > 0.5 else 3)
+
+
+def finer(now: Number, fewest: int) -> str:
+    """So many digits behind the point, or more where what is not 0 would have fewer than three."""
+    least = min((abs(x) for x in (now if isinstance(now, tuple) else (now,)) if x), default=1e3)
+    return "3g" if least < 1e-4 else f"{max(fewest, 2 - math.floor(math.log10(least)))}f"
+
+
 def show(spec: ValueSpec, value: Number | None = None) -> str:
     """A value (or the default) as the state string has it."""
     value = spec.default if value is None else value

@@ -287,6 +287,9 @@ its error falls only as the points grow. Edge on, the shadow closes: β = 90° h
     values=(Value("theta", 55.0, more=True), Value("phi", 20.0, more=True), Value("distance", 1.6), Value("tilt", 25.0),
             Value("width", 1.2), Value("samples", 2048, more=True)),
     minutes=6,
+    breaks=(Break("equal steps of θ, without sin θ", {"fibonacci_direction": "fibonacci_direction_naive", "solid_angle_patch_counted": "solid_angle_patch_counted_naive"}, {"theta": 6.0, "samples": 4096},
+                  "Equal steps in θ put as many points on the small rings at the pole as on the equator, so a patch up there catches several times its share. More points do not help: the count settles on the wrong number. dω = sin θ dθ dφ; with equal steps in height, cos θ, the sine is paid.",
+                  "counted solid angle", Term("solid_angle_patch_counted"), "sr"),),
 )
 
 CONE = Step(
@@ -416,8 +419,6 @@ near 1 the float32 numbers are 6e-8 apart. The remedy is algebra, not more digit
     honesty="Exact to rounding. The lens enlarges; its two areas are in the true proportion of the two float32 results.",
     values=(Value("half_angle", 35.0, low=1e-4, high=180.0, scale="log"),),
     minutes=6,
-    breaks=(Break("1 − cos θ at 0.01°", {"solid_angle_cone": "solid_angle_cone_naive"}, {"half_angle": 0.01},
-                  "In float32 the cosine of 0.01° is exactly 1: the cone has no solid angle, and no light comes through it. All of the answer was in what rounding took away. Never ask for a small number as the difference of two large ones: 4π sin²(θ/2) is the same, with all its digits."),),
 )
 
 DIFFERENTIAL = Step(
@@ -802,8 +803,6 @@ finely, is a thousand such triangles. 7 minutes.
     ),
     minutes=7,
     beyond=True,
-    breaks=(Break("A · (B × C) at 0.1 mm", {"solid_angle_outline": "solid_angle_outline_naive"}, {"size": 1e-4},
-                  "The printed product has terms of a cubic metre and a sum a hundred million times smaller; what float32 keeps is noise. Subtract first, while differences are exact, and multiply then: edges, not corners."),),
 )
 
 MESH = Step(

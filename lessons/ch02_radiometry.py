@@ -5,6 +5,7 @@ has understood half of shading; the rest of this course multiplies them.
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -755,6 +756,9 @@ diameter; who takes the radius gets four percent. 6 minutes.
             "what I/r² says of their middle, with a line at every tenth.",
     values=(Value("distance", 1.5, low=0.45, high=5.0), Value("radius", 0.4, low=0.05, high=0.7), Value("radiance", 100.0)),
     minutes=6,
+    breaks=(Break("the disk by 1 − almost 1, far away", {"irradiance_disk": "irradiance_disk_naive"}, {"distance": 1.0, "radius": 0.0006},
+                  "Seen from 1700 radii the disk fills a millionth of the view, and the printed factor takes that from 1 less almost 1. Of the 24 bits of float32 two or three are left: the screen shows their steps. Right where the point light is as good as exact, the exact formula is noise. Multiply the difference out on paper first.",
+                  "irradiance by the disk", Term("irradiance_disk", {"height": "distance", "offset": 0.3}), "W/m²"),),
 )
 
 LOCAL_ONLY = Step(

@@ -194,7 +194,9 @@ float shown_value(vec3 p) {
 vec3 shade(Surface s) {
     if (s.id == 2) return decades(pow(10.0, 4.0 * s.st.x - 1.0), -1.0, 3.0);
     vec3 n = s.id == 0 ? vec3(0.0, 0.0, 1.0) : vec3(0.0, -1.0, 0.0), way = light() - s.position;
-    vec3 lit = decades(irradiance_at(s.position, n, light(), radiant_intensity, source_radius), -1.0, 3.0);
+    float found = irradiance_at(s.position, n, light(), radiant_intensity, source_radius);
+    if (!(found >= 0.0)) return vec3(found); // the stage draws and counts it
+    vec3 lit = decades(found, -1.0, 3.0);
     // Hatched: light arrives from behind. The stripes have the colour of what a surface would get that faced it.
     float at = 6.0 * (s.position.x + s.position.y + s.position.z), wide = fwidth(at);
     float stripe = dot(n, way) < 0.0 ? 1.0 - smoothstep(0.2, 0.2 + wide, abs(fract(at) - 0.5)) : 0.0;
@@ -268,7 +270,7 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
     values=(Value("distance", 1.5, low=0.02, high=4.0), Value("theta", 40.0, low=0.0, high=150.0),
             Value("phi", 20.0, more=True), Value("radiant_intensity", 60.0), Value("source_radius", 0.06, low=0.01, high=0.5),
-            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5,
+            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5, breaks=(Break("no stop at 0, the lamp below the floor", {"irradiance_at": "irradiance_at_naive", "irradiance_positional": "irradiance_positional_naive"}, {"theta": 140.0, "distance": 1.2}, "The cosine of a light behind the surface is negative, and so is its light: the floor turns red for less than nothing. Alone it would only be black on the screen; beside a second lamp it takes that lamp's light away. No light is max(0, n·l), never less.", "irradiance at x", Term("irradiance_positional"), "W/m²"),),
 )
 
 DIRECTIONAL = Step(
@@ -854,7 +856,7 @@ where the rest went. 6 minutes.
             Value("edge", 0, choices=("linear", "smooth", "printed", "IES")),
             Value("reading", 0, choices=("meant", "full", "sign")),
             Value("threshold", 50.0, low=2.0, high=80.0, more=True), Value("off_axis", 25.0, low=0.0, high=60.0, more=True),
-            Value("radiant_intensity", 100.0, more=True)), minutes=6,
+            Value("radiant_intensity", 100.0, more=True)), minutes=6, breaks=(Break("a hotspot wider than its falloff", {"spot_linear": "spot_linear_naive"}, {"hotspot": 32.0, "falloff": 20.0, "edge": 0, "reading": 0, "off_axis": 10.0}, "Two sliders that may pass each other, and nobody asked. The divisor cos H − cos F changes its sign, and the lamp lights the whole room except its beam; where both are one it divides 0 by 0. A formula with an order in it has to check that order.", "share at α", Term("spot_linear")),),
 )
 
 LIGHT_GLSL = """
@@ -990,6 +992,7 @@ vec4 probe(int i) {
                 Label("1", 6), Label("10", 7), Label("100", 8)),
         handles=(Handle("the light", 0, ("light_height",)), Handle("its rim", 1, ("panel_width",))),
         camera=Camera(azimuth=-80, elevation=30, distance=8.9, target=(0.0, -0.3, 0.25)),
+        decided=("light_shape",),
     ),
     plot=Ledger(
         title="Give one, get the others",
@@ -1028,7 +1031,7 @@ directions. 4 minutes.
             Value("panel_depth", 0.8, low=0.1, high=2.0, more=True), Value("light_height", 0.9, low=0.3, high=2.0, more=True),
             Value("panel_tilt", -50.0, low=-60.0, high=60.0, more=True), Value("light_x", 0.0, low=-1.0, high=1.0, more=True),
             Value("light_y", 0.7, low=-1.0, high=1.0, more=True)),
-    minutes=4, breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5}, "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. Multiply the difference out on paper first."),),
+    minutes=4, breaks=(Break("1 − almost 1, a lamp of 2 mm", {"projected_solid_angle_disk": "projected_solid_angle_disk_naive"}, {"light_shape": 1, "given": 0, "panel_width": 0.002, "light_height": 1.5}, "The lamp fills a millionth of the view, and the textbook takes that from 1 less almost 1. The rest is rounding, and a small, bright lamp multiplies it: black rings and sparks. A small lamp far away asks for a form without that difference.", "floor 0.8 m aside, L = 1", Term("projected_solid_angle_disk", {"radius": 0.001, "height": 1.5, "offset": 0.8}), "W/m²"),),
 )
 
 AREA_SAMPLED = Step(
@@ -1100,6 +1103,7 @@ vec4 probe(int i) {
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6),
                *(Mark(f"sample {i}", colour="l", line="dashed", width=0.7) for i in range(4))),
         dots=Dots(256, size=0.9),
+        decided=("light_shape", "sampling"),
         labels=(Label("0.03", 2), Label("10 W/m²", 3), Label("-50 %", 4), Label("0", 5), Label("+50 %", 6)),
         handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 7, ("position",))),
@@ -1338,6 +1342,7 @@ vec4 probe(int i) {
         surfaces=(Surface("floor", cells=(2, 2)), Surface("scale", cells=(2, 1)), Surface("light", cells=(60, 16))),
         marks=(RIM, Mark("normal", colour="n", tip="arrow", label="n", label_at=0.6)),
         dots=Dots(256, size=0.9),
+        decided=("light_shape", "sampling"),
         labels=(Label("0.0001 %", 3), Label("0.01 %", 4), Label("1 %", 5), Label("100 %", 6)),
         handles=(Handle("the light", 0, ("light_x", "light_height")), Handle("its tilt", 1, ("panel_tilt",)),
                  Handle("the point", 2, ("position",))),

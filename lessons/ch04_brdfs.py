@@ -5,6 +5,7 @@ in which it stands, asks what such a function must never do, and builds the two 
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -833,7 +834,7 @@ v, differ. 6 minutes.
             Value("theta_l", 50.0, low=0.0, high=89.0), Value("theta_v", 35.0, low=0.0, high=89.0),
             Value("phi", 180.0, more=True), Value("k_d", 0.25, more=True), Value("k_s", 0.6, more=True)),
     models=(Model("as printed", Term("brdf_phong_printed"), "printed"), Model("as a BRDF", Term("brdf_phong"))),
-    minutes=6,
+    minutes=6, breaks=(Break("(r·v)ⁿ without asking for its sign", {"lobe_phong": "lobe_phong_naive"}, {"model": 0, "exponent": 20.0, "theta_l": 50.0, "theta_v": 60.0, "phi": 0.0}, "Where the eye is more than a right angle from r, the cosine is negative, and a power of it is no number: all that it touches is lost. An even exponent, multiplied out, would light a second highlight behind instead. Stop the cosine at 0 first, and only then take the power.", "(r·v)ⁿ", Term("lobe_phong")),),
 )
 
 BLINN = Step(
@@ -1256,7 +1257,7 @@ safe everywhere. Short cuts: n + 8 makes up to 7.5 % too much near 10, n + 2 los
     values=(Value("k_d", 0.3), Value("k_s", 0.7), Value("exponent", 60.0, low=1.0, high=1000.0, scale="log"),
             Value("theta_v", 55.0, low=0.0, high=90.0)),
     models=(Model("Blinn-Phong", Term("brdf_blinn_phong")),),
-    minutes=6,
+    minutes=6, breaks=(Break("Phong's factor on Blinn's lobe", {"normalisation_blinn_phong": "normalisation_phong"}, {"exponent": 60.0, "k_d": 0.0, "k_s": 1.0, "theta_v": 0.0}, "(n + 2)/2π is right, for r·v. The halfway vector moves half as fast as the light, so its lobe is twice as wide each way, holds four times the light, and the ball sends back nearly four times what it gets. A factor belongs to its lobe: integrate before you believe one.", "factor f_n", Term("normalisation_blinn_phong"), "1/sr"),),
 )
 
 COMPLAINTS = ("coefficients are guessed", "they change with the angle", "metals", "the exponent", "light is lost")

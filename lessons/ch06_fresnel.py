@@ -431,7 +431,8 @@ in binoculars live from this; paint and skin keep light the same way. 5 minutes.
     minutes=5,
     beyond=True,
     breaks=(Break("Snell's root in total reflection", {"f_dielectric": "f_dielectric_naive"}, {"theta": 60.0, "eta": 0.667},
-                  "Outside there is no angle any more, and the textbook form takes the root of a negative number. It is not a number, and neither is anything it touches. Ask before the root: total reflection is a case of its own, F = 1."),),
+                  "Outside there is no angle any more, and the textbook form takes the root of a negative number. It is not a number, and neither is anything it touches. Ask before the root: total reflection is a case of its own, F = 1.",
+                  "F at 60°", Term("f_dielectric", {"l_dot_h": 0.5})),),
 )
 
 # A row of the tables as a polished ball: a metal, or an insulator with a colour of its own under the clear surface
@@ -561,6 +562,9 @@ physics. That is why one has a diffuse term and the other must not. 6 minutes.
             "The room that is mirrored and the colour inside the insulators are made up.",
     values=(Value("material", 5, choices=MATERIAL_NAMES), Value("theta", 50.0), Value("channel", 1, choices=CHANNELS)),
     minutes=6,
+    breaks=(Break("metals without their k", {"f_conductor": "f_conductor_naive"}, {"material": 9, "channel": 1, "theta": 0.0},
+                  "With the real part of the index alone a metal is a strange glass. Aluminium's n lies near 1, so it turns dark; gold's and silver's are below 1, and mirror almost all beyond a few degrees. It is k, how fast light dies inside, that makes a metal bright. Half of a complex number is not an approximation.",
+                  "aluminium, 550 nm, head-on", Term("f_conductor", {"l_dot_h": 1.0, "eta": 0.958, "k": 6.69})),),
 )
 
 METALS = Step(

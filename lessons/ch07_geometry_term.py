@@ -5,6 +5,7 @@ swaps the light and the eye, takes the smaller of two shares, and asks what a ge
 """
 
 from app.lesson import (
+    Break,
     Camera,
     Chapter,
     Check,
@@ -813,8 +814,7 @@ question is all. Some will say that Smith is softer, so it must be less exact. I
     values=(Value("m", 0.8, low=0.1, high=1.0), Value("theta_v", 78.0, low=0.0, high=88.0),
             Value("theta_l", 30.0, low=0.0, high=88.0), Value("theta_h", 40.0, low=0.0, high=70.0, more=True),
             Value("phi", 180.0, low=0.0, high=180.0, more=True)),
-    minutes=7,
-    beyond=True,
+    minutes=7, breaks=(Break("Smith's a upside down", {"lambda_beckmann_slope": "lambda_beckmann_slope_naive"}, {"m": 0.3, "theta_v": 40.0, "theta_l": 20.0, "phi": 3.0}, "a is 1 / (m tan θ). Upside down, Smith's G takes all light where eye or lamp look straight at the surface, where nothing can be in the way: two dark spots, and a picture that might still pass for some material. The bars do not: facets cannot show less than the plate. Test limits and sums before looks.", "Λ at m tan θ = 1/2", Term("lambda_beckmann_slope", {"slope": 0.5})),), beyond=True,
 )
 
 GROOVE_PYTHON = """import numpy as np

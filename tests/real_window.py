@@ -22,11 +22,11 @@ def main(picture: str) -> None:
     def gui() -> None:
         window.gui()
         if window.frame == 3:
-            seen["before"] = window.scene.stage.pixels().mean()
+            seen["before"] = window.scene.stage.picture.pixels().mean()
             window.session.set("distance", 3.0)
         ready = window.frame > 10 and window.plot.shown > 0 and not window.plot.waiting and window.scene.is_fine
         if ready or time.monotonic() - begun > 60:
-            seen["after"] = window.scene.stage.pixels().mean()
+            seen["after"] = window.scene.stage.picture.pixels().mean()
             hello_imgui.get_runner_params().app_shall_exit = True
 
     params.callbacks.show_gui = gui

@@ -44,7 +44,7 @@ def build(glsl: str, triangles=None, **parts) -> Stage:
 
 def picture(stage: Stage, values=None, camera: Camera = ABOVE, size=(96, 96), fine: bool = False) -> np.ndarray:
     stage.draw(values or {}, camera, size, DARK, fine)
-    return stage.pixels().astype(int)
+    return stage.picture.pixels().astype(int)
 
 
 def drawn(pixels: np.ndarray) -> np.ndarray:

@@ -16,6 +16,7 @@ from app.board.merl import coordinates, directions
 from app.board.models import opened
 from app.board.terms import LUMINANCE, function, packed
 from app.board.terms import badges as judged
+from app.brush import angles_of, tangent_azimuth
 from app.catalog import step
 from app.export.still import data
 from app.gpu.evaluate import evaluate
@@ -149,7 +150,7 @@ def drawn(ctx, found, values: dict, size=(240, 220)) -> tuple[np.ndarray, object
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     try:
         stage.draw(values, found.step.scene.camera, size, DARK)
-        return stage.pixels().astype(int), stage.faults()
+        return stage.picture.pixels().astype(int), stage.picture.faults()
     finally:
         stage.release()
 
@@ -176,8 +177,8 @@ def test_every_view_and_every_choice_is_another_picture_without_faults(ctx):
 
     def picture(**given) -> np.ndarray:
         stage.draw(values | given, found.step.scene.camera, (150, 140), DARK)
-        assert not stage.faults(), given
-        return stage.pixels().astype(int)
+        assert not stage.picture.faults(), given
+        return stage.picture.pixels().astype(int)
 
     try:
         views = [picture(shows=view, model=1) for view in range(14)]
@@ -242,3 +243,61 @@ def test_without_a_model_there_is_no_board(tmp_path):
         step("board/")
     with pytest.raises(Usage, match="off"):
         step("board/-lambert")
+
+
+# --- a model that asks how the surface is turned ---------------------------------------------------------------------
+BRUSHED = """analytic
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 h = normalize(L + V);
+    float across = dot(h, X) / 0.1, along = dot(h, Y) / 0.6;
+    return vec3(1., .5, .25) * (0.02 + exp(-across * across - along * along) + 0.3 * dot(cross(X, Y), N) * dot(V, X));
+}
+::end shader
+"""
+
+
+@pytest.mark.parametrize("angles", [{}, {"theta_v": 1.1, "turned": 2.0}, {"theta_v": 0.4, "turned": -2.6, "phi": 1.0},
+                                    {"theta_v": 0.0, "turned": 0.3, "phi": 2.0}])
+def test_x_is_the_same_on_balls_lobes_curves_and_numbers(ctx, tmp_path, angles):
+    """One pixel of the ball, the lobe that stands there, and all that is evaluated for it."""
+    found = step(id_of([write_file(tmp_path, "brushed.brdf", BRUSHED)]))
+    values = values_of(found, light=1.0, lobe_top=1e6, board_channel=0, theta_l=0.5, **angles)
+    f = numbers(found.step, values)[0].value
+    stage, camera = Stage(ctx, Source(found.step.scene, "the board"), values["triangles"]), found.step.scene.camera
+    try:
+        stage.draw(values, camera, (600, 600), DARK)
+        x, y, _ = orbit.project(stage.probes(values)[1, :3], stage.matrix)
+        hit = pick(stage, values, camera, DARK, (x, y))
+    finally:
+        stage.release()
+    assert hit.surface == "ball: brushed"
+    assert hit.radiance[0] == pytest.approx(f * math.cos(0.5) + 0.02, rel=2e-3)
+    there = angles_of(np.array(hit.normal), camera, values)  # to the last digit: the normal of that pixel is picked
+    assert there["turned"] == pytest.approx(values["turned"], abs=0.1) or values["theta_v"] < 0.1
+    values = values_of(found, **(values | there))
+    assert hit.radiance[0] == pytest.approx(
+        numbers(found.step, values)[0].value * math.cos(there["theta_l"]) + 0.02, rel=1e-4)
+    f, one = numbers(found.step, values)[0].value, found.shown[0]
+    text = found.step.scene.glsl + "\nfloat of_lobe(vec3 d) { return lobe_value(0, d); }"
+    uniforms = {key: value for key, value in values.items() if isinstance(value, int | float)}
+    source = {t.name: shader.Source(t.text, t.file, t.first) for t in found.step.scene.texts}
+    eye = view_direction(values["theta_v"])
+    lobe = evaluate("of_lobe", {"d": eye}, text, overrides=source, uniforms=uniforms)
+    assert float(lobe) == pytest.approx(f, rel=1e-4)
+    assert float(term_value(one.term("half"), values)) == pytest.approx(f, rel=1e-4)
+
+
+def test_the_same_file_turned_is_another_albedo(tmp_path):
+    """Albedo and badges: X across the eye's plane is not X along it; the ball of a report has the board's X."""
+    path = write_file(tmp_path, "brushed.brdf", BRUSHED)
+    found = step(id_of([path]))
+    shares = [float(term_value(found.shown[0].term("albedo"), values_of(found, theta_v=1.0, turned=turned)))
+              for turned in (-math.pi / 2, 0.0)]
+    assert abs(shares[0] / shares[1] - 1) > 0.2
+    model = opened(path)
+    assert model.is_anisotropic and not opened(write_file(tmp_path, "plain.brdf")).is_anisotropic
+    values = values_of(found)
+    for badge in judged(f"board:{path}", values["model0_values"]).values():
+        at = values | badge.at
+        assert not badge.at or math.isclose(tangent_azimuth(at["theta_v"], at["turned"]), 0.0, abs_tol=1e-9)

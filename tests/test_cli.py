@@ -173,3 +173,8 @@ def test_a_broken_lesson_is_listed_and_told(capsys, monkeypatch, tmp_path):
     code, out, err = said(capsys, "list")
     assert code == 1 and "fine/open" in out
     assert err == "halfway: lessons/ch01_small.py, line 1: a lesson ends with CHAPTER = Chapter(...).\n"
+
+
+def test_the_readme_names_each_command_once():
+    rows = [line for line in (ROOT / "README.md").read_text("utf-8").splitlines() if line.startswith("| `halfway ")]
+    assert sorted(row.split("`")[1].split()[1] for row in rows) == sorted(cli.JOBS)

@@ -111,7 +111,7 @@ def test_the_picture_follows_and_the_last_good_one_stays(ctx):
 
     def picture() -> np.ndarray:
         stage.draw(values, camera, (160, 120), THEMES["dark"], counted=False)
-        return stage.pixels().astype(int)
+        return stage.picture.pixels().astype(int)
 
     first = picture()
     stage.rewrite(edit.overrides({"d_beckmann": text}, known, source))
@@ -265,3 +265,52 @@ def test_models_of_the_board_follow_and_are_saved(tmp_path):
     assert "float half_of(float x) {\n    return 0.25 * x;" in own_models.path_of("mine").read_text("utf-8")
     n = np.array([0.0, 0.0, 1.0])
     np.testing.assert_allclose(saved.rgb(n, n, n), [0.125] * 3, rtol=1e-6)
+
+
+def test_a_coated_model_follows_the_text_of_its_layers():
+    """Twice the slope in D is twice the slope of the model: value, badges, albedo and lobe; the picture's GLSL too."""
+    found = step("board/coated+lambert")
+    known, source, plain = edit.functions(found), edit.source_of(found), defaults(found)
+    plain |= found.derived(plain)
+    texts = {"d_beckmann": known["d_beckmann"].text.replace(*TWICE)}
+    values = {**plain, **edit.among_values(texts, known, source)}
+    wider = (2 * plain["model0_m"], *plain["model0_values"][1:])
+    rougher = {**plain, "model0_values": wider, "model0_half_values": wider}
+    (mine, other), (course, _), (now, _) = (numbers(found.step, v) for v in (values, rougher, plain))
+    assert (mine.whose, other.whose) == ("yours", "the course's")
+    assert math.isclose(mine.value, course.value, rel_tol=1e-5) and abs(mine.value / now.value - 1) > 0.1
+    judged = [badges.of_model(found.step.models[0], v) for v in (values, rougher)]
+    for name in ("energy", "finite"):
+        assert math.isclose(judged[0][name].worst, judged[1][name].worst, rel_tol=1e-3)
+    for term, swept in ((found.entries[0].term("albedo"), {"theta_v": np.array([0.3, 1.2])}),
+                        (found.entries[0].term("half"), {"theta_h": np.array([0.1, 0.4])})):
+        np.testing.assert_allclose(*(evaluate(term, v, **swept) for v in (values, rougher)), rtol=1e-3)
+    of_schlick = {"f_schlick": known["f_schlick"].text.replace("{", "{ f0 = 0.0;", 1)}
+    follows = edit.among_values(of_schlick, known, source)[EDITED]
+    assert edit.follows("board:coated", follows) and not edit.follows("board:lambert", follows)
+
+
+def test_a_scene_of_a_coated_model_is_what_its_numbers_are(ctx):
+    """The GLSL of the picture and of the numbers against the model in float64, point by point."""
+    from app.board import coated
+    from app.gpu.evaluate import evaluate as on_gpu
+
+    rng = np.random.default_rng(3)
+    l, v = (d / np.linalg.norm(d, axis=-1, keepdims=True) for d in np.array([0, 0, 2]) + rng.normal(size=(2, 200, 3)))
+    n, values = np.array([0.0, 0.0, 1.0]), {"m": 0.2, "rho": (0.1, 0.4, 0.7), "f0": (0.9, 0.6, 0.04)}
+    above = (l[:, 2] > 0.02) & (v[:, 2] > 0.02)
+    found = on_gpu("coated", {"n": n, "l": l[above], "v": v[above]}, coated.TEXT, uniforms=values)
+    np.testing.assert_allclose(found, coated.Coated().rgb(n, l[above], v[above], values), rtol=1e-4)
+
+
+def test_a_measurement_stays_and_says_so(tmp_path):
+    from app.board import merl
+
+    path = tmp_path / "made.binary"
+    cells = np.ones((3, *merl.SHAPE))
+    path.write_bytes(np.array(merl.SHAPE, "<i4").tobytes() + cells.astype("<f8").tobytes())
+    found = step(f"board/cook_torrance+{path}")
+    known, source, plain = edit.functions(found), edit.source_of(found), defaults(found)
+    texts = {"f_schlick": known["f_schlick"].text.replace("{", "{ f0 = 0.0;", 1)}
+    values = {**plain, **found.derived(plain), **edit.among_values(texts, known, source)}
+    assert [n.whose for n in numbers(found.step, values)] == ["yours", "measured"]

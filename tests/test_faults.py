@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from app.gpu.stage import Faults, Stage
+from app.gpu.picture import Faults
+from app.gpu.stage import Stage
 from app.lesson import Dots, Mark, Surface
 from tests.stage_help import ABOVE, SQUARE, build, on_screen, picture
 
@@ -18,7 +19,7 @@ HEAD = "uniform float zero;\n"
 
 def fault(stage: Stage, fine: bool = False) -> Faults:
     picture(stage, {"zero": 0.0}, size=SIZE, fine=fine)
-    return stage.faults()
+    return stage.picture.faults()
 
 
 def covered(low: tuple[float, float], high: tuple[float, float]) -> np.ndarray:
@@ -73,7 +74,7 @@ def test_a_bad_value_can_come_from_a_uniform_too(ctx):
     for value, expected in ((np.nan, Faults(nan=area)), (np.inf, Faults(inf=area)), (-0.1, Faults(negative=area)),
                             (0.3, Faults()), (-0.0, Faults())):
         picture(stage, {"brightness": value}, size=SIZE)
-        assert stage.faults() == expected
+        assert stage.picture.faults() == expected
 
 
 LAYERS = ("uniform float zero;\nvec3 surface_point(int surface, vec2 s) {\n"
@@ -86,7 +87,7 @@ def test_a_bad_surface_one_looks_through_is_seen_in_full(ctx):
     pane = (Surface("wall", cells=(1, 1)), Surface("pane", cells=(1, 1), opacity=0.1))
     front = build(glsl % 1, surfaces=pane)
     assert fault(front).nan > int(covered((-1, -1), (1, 1)).sum()), "the pane is nearer, so it looks larger"
-    seen = set(map(tuple, front.pixels()[SIZE[1] // 2 - 20:SIZE[1] // 2 + 20, 80:120].reshape(-1, 3).tolist()))
+    seen = set(map(tuple, front.picture.pixels()[SIZE[1] // 2 - 20:SIZE[1] // 2 + 20, 80:120].reshape(-1, 3).tolist()))
     assert seen == COLOURS["nan"]
     assert fault(build(glsl % 0, surfaces=pane)).nan == int(covered((-1, -1), (1, 1)).sum())
 
@@ -121,4 +122,4 @@ def test_the_next_picture_starts_clean(ctx):
     for fine in (False, True):
         for value in (-1.0, 0.5):
             picture(stage, {"brightness": value}, fine=fine)
-            assert bool(stage.faults()) == (value < 0)
+            assert bool(stage.picture.faults()) == (value < 0)

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import os
 import signal
 import struct
 import subprocess
@@ -241,7 +242,7 @@ def test_below_l2_it_must_be_said_by_name(tmp_path, assignment, handed_in, monke
 @pytest.mark.parametrize("layer", sandbox.LAYERS["L3"])
 def test_without_a_layer_the_level_is_not_granted(layer):
     """Needs a machine with all of them: CI's."""
-    if level.found().name != "L3":
+    if level.found().name != "L3" and not os.environ.get("CI"):
         pytest.skip(f"this machine holds {level.found().name}: {level.found().why}")
     layers = tuple(one for one in sandbox.LAYERS["L3"] if one != layer)
     got, why = level.tested("L3", layers)

@@ -1,13 +1,14 @@
 """What a scene leaves out: proven by its texts, measured beside a shader that has everything on."""
 
 import json
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from app import __main__ as cli
-from app import inspect_all
+from app import inspect_all, shader
 from app.catalog import step, steps
 from app.cost import Cost, cost, held
 from app.everything import FEATURES, EverythingOn, features
@@ -17,6 +18,8 @@ from app.inspection import inspect, unread
 from app.leaving import decisions, lean
 from app.leaving import faults as leaving_faults
 from app.lesson import LeaveOut
+from app.optics.cook_torrance import cook_torrance_dg
+from app.optics.leave_out import cook_torrance_open, cook_torrance_open_error
 from app.session import Session
 from app.state import defaults
 from app.theme import THEMES
@@ -31,9 +34,9 @@ def test_the_yardstick_colours_the_same_pixels(ctx):
     for kind in (Stage, EverythingOn):
         stage = kind(ctx, Source(found.step.scene))
         stage.draw(defaults(found), found.step.scene.camera, (96, 96), THEMES["dark"], fine=False)
-        assert not stage.faults()
-        pictures.append(stage.pixels().astype(int))
-        drawn = stage.target(("picture", "faults"), False).read(components=4, attachment=1)
+        assert not stage.picture.faults()
+        pictures.append(stage.picture.pixels().astype(int))
+        drawn = stage.picture.target(("picture", "faults"), False).read(components=4, attachment=1)
         covered.append(np.frombuffer(drawn, "u1").reshape(96, 96, 4)[..., 3] > 0)  # opaque surfaces write there
         stage.release()
     assert np.array_equal(*covered) and 0.2 < covered[0].mean() < 1
@@ -122,8 +125,8 @@ FAR = {"panel_width": 0.27, "light_height": 3.0}
 def picture(found, values, ctx):
     stage = Stage(ctx, Source(found.step.scene))
     stage.draw(values, found.step.scene.camera, (128, 96), THEMES["dark"], fine=False)
-    assert not stage.faults()
-    pixels = stage.pixels().astype(int)
+    assert not stage.picture.faults()
+    pixels = stage.picture.pixels().astype(int)
     stage.release()
     return pixels
 
@@ -161,14 +164,115 @@ def test_the_64_samples_are_there_when_they_are_wanted(ctx):
     assert off.max() > 2 and np.mean(off) < 6, "noise, and little of it"
 
 
+VASES = step("plausible_shading/compare")
+
+
+def compiled(found) -> set[str]:
+    return {name for pair in programs(found.step.scene).values() for part in pair if part for name in part.kept}
+
+
+def decided(found, values, label):
+    return next(one for one in decisions(found, values) if one.of.label == label)
+
+
 @pytest.mark.parametrize(("material", "is_out"), [(6, True), (7, True), (8, False), (9, False)])
 def test_wavelengths_are_summed_only_where_the_fit_is_off(material, is_out):
-    found = step("plausible_shading/compare")
-    made = decisions(found, defaults(found) | {"material": material})
-    assert [one.is_out for one in made] == [is_out]
-    kept = {name for pair in programs(lean(found, made).step.scene).values() for part in pair if part
-            for name in part.kept}
+    values = defaults(VASES) | {"material": material}
+    assert decided(VASES, values, "the twelve wavelengths of F").is_out == is_out
+    kept = compiled(lean(VASES, decisions(VASES, values)))
     assert ("metal_index" in kept) != is_out and ("f_material_schlick" in kept) == is_out
+
+
+OPEN = "G in the lamp's light"
+
+
+def test_g_is_left_out_exactly_where_its_error_is_below_the_bound():
+    """By bisection over the lamp's angle: G is out on one side of the edge, in on the other; rougher is sooner."""
+    edges = []
+    for m in (0.08, 0.15, 0.3):
+        low, high = 0.0, np.radians(80.0)
+        for _ in range(40):
+            middle = 0.5 * (low + high)
+            if decided(VASES, defaults(VASES) | {"m": m, "theta_d": middle}, OPEN).is_out:
+                low = middle
+            else:
+                high = middle
+        one = decided(VASES, defaults(VASES) | {"m": m, "theta_d": low}, OPEN)
+        assert one.is_out and np.isclose(one.error, one.of.limit, rtol=1e-6) and one.error <= one.of.limit
+        edges.append(low)
+    assert np.all(np.diff(edges) < 0) and np.radians(60) < edges[0] and edges[-1] < np.radians(25)
+
+
+def test_the_error_of_no_g_is_the_largest_of_many_normals():
+    """Against normals of the whole hemisphere, where the twin looks along one plane only; and the eye 4 degrees off."""
+    rng, m = np.random.default_rng(3), 0.2
+    normals = rng.normal(size=(400_000, 3))
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    for theta_d in np.radians([30.0, 45.0, 62.0]):
+        at = theta_d + 0.07
+        v, l = np.array([np.sin(at), 0, np.cos(at)]), np.array([-np.sin(at), 0, np.cos(at)])
+        n = normals[(normals @ v > 0.01) & (normals @ l > 0.01)]
+        light, open_ = (f(n, l, v, m) * (n @ l) for f in (cook_torrance_dg, cook_torrance_open))
+        found, said = np.max(open_ - light) / np.max(light), cook_torrance_open_error(theta_d, m)
+        assert 0.5 * said < found < 1.01 * said
+
+
+@pytest.mark.parametrize(("degrees", "low", "high"), [(20.0, 0, 1), (37.0, 0, 1), (75.0, 30, 255)])
+def test_without_g_the_picture_is_off_by_no_more_than_is_said(degrees, low, high, ctx):
+    values = defaults(VASES) | {"theta_d": np.radians(degrees)}
+    pictures = [picture(lean(VASES, decisions(VASES, values, {OPEN: is_out})), values, ctx) for is_out in (True, False)]
+    assert low <= np.abs(pictures[0] - pictures[1]).max() <= high
+    assert decided(VASES, values, OPEN).is_out == (high == 1)
+
+
+def test_without_g_there_is_less_to_do():
+    """A pixel does without a dot product, a sum and a comparison; and the panel says what that costs."""
+    values, work = defaults(VASES) | {"theta_d": 0.2}, []
+    for is_out, name in ((True, "cook_torrance_open"), (False, "cook_torrance_dg")):
+        assert name in compiled(lean(VASES, decisions(VASES, values, {OPEN: is_out})))
+        text = shader.read(shader.catalogue()[name][0]).split(f"float {name}(")[1].split("\n}")[0]
+        work.append(len(re.findall(r"dot\(|m(?:in|ax)\(| [-+*/] ", text)))
+    assert work[0] < work[1]
+    said = decided(VASES, values, OPEN).words
+    assert "left out. All facets open, at most" in said and "of the highlight off" in said
+
+
+TWICE = "second bounces between facets"
+
+
+@pytest.mark.parametrize(("material", "is_out"), [(0, True), (2, True), (4, True), (5, False), (7, False), (8, False)])
+def test_second_bounces_are_left_out_of_what_is_no_metal(material, is_out):
+    """Light is lost from water as from gold; of what is lost, an insulator mirrors little twice."""
+    for m in (0.08, 0.2, 0.5):
+        one = decided(VASES, defaults(VASES) | {"material": material, "m": m}, TWICE)
+        assert one.is_out == is_out and (one.error < 0.006 if is_out else one.error > 0.015)
+
+
+def test_second_bounces_go_exactly_where_their_error_is_below_the_bound():
+    low, high = 0.1, 1.0  # of a rough diamond
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        one = decided(VASES, defaults(VASES) | {"material": 4, "m": middle}, TWICE)
+        low, high = (middle, high) if one.is_out else (low, middle)
+    one = decided(VASES, defaults(VASES) | {"material": 4, "m": low}, TWICE)
+    assert one.is_out and np.isclose(one.error, one.of.limit, rtol=1e-6) and 0.5 < low < 0.9
+
+
+@pytest.mark.parametrize(("material", "low", "high"), [(2, 0, 2), (7, 20, 60)])
+def test_without_second_bounces_the_picture_is_off_by_what_is_said(material, low, high, ctx):
+    """0.13 % of the light of plastic is at most 2 of 255; 11 % of copper's is seen."""
+    values = defaults(VASES) | {"material": material, "m": 0.5, "theta_d": np.radians(30.0)}
+    scenes = [lean(VASES, decisions(VASES, values, {TWICE: is_out})) for is_out in (True, False)]
+    once, twice = (picture(scene, values, ctx) for scene in scenes)
+    assert np.all(twice >= once) and low <= np.max(twice - once) <= high
+
+
+def test_without_second_bounces_there_is_less_to_compile():
+    values = defaults(VASES) | {"material": 2}
+    without, with_them = (compiled(lean(VASES, decisions(VASES, values, {TWICE: is_out}))) for is_out in (True, False))
+    gone = {"facets_lost", "facets_lost_average", "bounced_share", "f_material_average", "azimuths_between"}
+    assert gone <= with_them - without and len(without) < len(with_them)
+    assert without - with_them == {"bounced_light_none"}
 
 
 def test_the_same_decision_is_the_same_scene():

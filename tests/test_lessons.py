@@ -115,7 +115,7 @@ def test_a_step_is_interesting_before_anything_is_touched(found, theme, ctx):
     values |= data(found, values)
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     stage.draw(values, found.step.scene.camera, (192, 192), THEMES[theme])
-    pixels = stage.pixels().reshape(-1, 3)
+    pixels = stage.picture.pixels().reshape(-1, 3)
     stage.release()
     colours, counts = np.unique(pixels // 16, axis=0, return_counts=True)
     assert counts.max() < 0.9 * counts.sum(), "the picture is nearly empty"
@@ -142,7 +142,7 @@ def test_a_crease_is_a_line_even_where_light_and_eye_agree(agree, ctx):
     values = defaults(found) | ({"theta_l": 1.2, "theta_v": 1.2, "phi": 0.0} if agree else {})
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), None)
     stage.draw(values, found.step.scene.camera, (256, 256), THEMES["dark"])
-    pixels = stage.pixels().reshape(-1, 3).astype(int)
+    pixels = stage.picture.pixels().reshape(-1, 3).astype(int)
     stage.release()
     white = np.mean(np.all(pixels > 225, axis=1))
     assert 0.002 < white < 0.05

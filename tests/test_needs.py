@@ -55,7 +55,7 @@ def test_a_scene_looks_the_same_with_what_it_needs(name, ctx):
     pictures = []
     for given in (values, needs.only(values, needs.drawn(found.step.scene, stage.texts(None)))):
         stage.draw(given, found.step.scene.camera, (120, 90), THEMES["dark"])
-        pictures.append(stage.pixels().copy())
+        pictures.append(stage.picture.pixels().copy())
     stage.release()
     assert np.array_equal(*pictures) and pictures[0].std() > 5
 

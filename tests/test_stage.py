@@ -66,7 +66,7 @@ def test_many_surfaces_share_a_program_until_each_has_its_own_and_look_the_same(
 
     before = picture(stage, values, SIDE, fine=True)
     assert settled() == MANY + 2 == len({stage.programs[f"surface {i}"].glo for i in range(MANY + 2)})
-    np.testing.assert_array_equal(stage.pixels(), before)
+    np.testing.assert_array_equal(stage.picture.pixels(), before)
     np.testing.assert_array_equal(picture(stage, values, SIDE, fine=True), before)
     stage.rewrite((("scene", shader.Source(glsl.replace("0.3, 0.2", "0.1, 0.2"), "your scene")),))
     after = picture(stage, values, SIDE, fine=True)
@@ -167,7 +167,7 @@ def test_one_looks_through_a_surface_with_opacity(ctx):
 
 def test_an_empty_scene_is_the_background(ctx):
     stage = build("")
-    assert np.all(picture(stage) == BACKGROUND) and not stage.faults() and stage.probes({}).shape == (0, 4)
+    assert np.all(picture(stage) == BACKGROUND) and not stage.picture.faults() and stage.probes({}).shape == (0, 4)
 
 
 # --- marks, dots, probes -------------------------------------------------------------------------------------------
@@ -274,7 +274,7 @@ def test_a_picture_larger_than_opengl_can_draw_is_refused_and_the_last_one_stays
     before = picture(stage)
     with pytest.raises(Problem, match=f"{limit + 1} x 10 pixels is larger than this OpenGL can draw"):
         stage.draw({}, ABOVE, (limit + 1, 10), DARK)
-    np.testing.assert_array_equal(stage.pixels(), before)
+    np.testing.assert_array_equal(stage.picture.pixels(), before)
 
 
 def test_everything_is_given_back(ctx, monkeypatch):

@@ -58,7 +58,7 @@ def test_a_scene_is_not_empty_and_every_word_is_inside_and_apart(found, ctx):
     values, size, pen = values_of(found), (640, 420), ink.Ink(DARK, (640, 420))
     stage = Stage(ctx, Source(found.step.scene, found.file_name, found.glsl_line), values.get("triangles"))
     stage.draw(values, framed(stage, values, size, DARK), size, DARK)
-    picture, said = Image.fromarray(np.ascontiguousarray(stage.pixels())), labels.words(stage, values)
+    picture, said = Image.fromarray(np.ascontiguousarray(stage.picture.pixels())), labels.words(stage, values)
     there = {one.text for one in found.step.scene.labels if stage.probes(values)[one.probe, 2] < NOWHERE}
     stage.release()
     assert np.count_nonzero(np.ptp(np.asarray(picture), axis=2) > 20) > 500  # colours, not grey on grey
@@ -370,9 +370,9 @@ def test_the_bar_counts_the_steps_on_a_terminal(monkeypatch):
 
     out = Terminal()
     monkeypatch.setattr(sys, "stderr", out)
-    with console.progress(2) as advance:
-        for title in ("one", "two", ""):
-            advance(title)
+    with console.progress(2) as tell:
+        for done, title in enumerate(("one", "two", "")):
+            tell(done, title)
     assert "2/2" in out.getvalue()
 
 

@@ -211,4 +211,4 @@ def at_random(rng, spec, ends):
 
 def negative(player: Player, values: dict) -> int:
     player.fault(values)
-    return player.stage.faults().negative
+    return player.stage.picture.faults().negative

@@ -19,6 +19,7 @@ from app.board.factors import factors, labels
 from app.board.models import BoardModel, opened
 from app.board.scene_text import scene
 from app.board.terms import LUMINANCE, channel_of, packed
+from app.brush import tangent_azimuth
 from app.catalog import BOARD, Loaded, LoadedStep, ValueSpec
 from app.hemisphere import NORMAL, apart
 from app.lesson import (
@@ -64,7 +65,8 @@ class Entry:
     prefix: str = ""
 
     def term(self, kind: str = "board") -> Term:
-        return Term(f"{kind}:{self.word}", {"values": f"{self.prefix}values", "channel": CHANNEL})
+        ending = "half_values" if kind == "half" else "values"
+        return Term(f"{kind}:{self.word}", {"values": self.prefix + ending, "channel": CHANNEL})
 
     @property
     def factors(self) -> tuple[Readout, ...]:
@@ -109,10 +111,14 @@ class BoardStep(LoadedStep):
         found: dict = dict(zip(("n_dot_l", "n_dot_v", "n_dot_h", "l_dot_h"), map(float, (l[2], v[2], h[2], l @ h)),
                                strict=True))
         found |= {"theta_h": float(apart(h, NORMAL)), "theta_d": float(apart(l, h)), "phi_d": turn_of(l, h)}
+        tangent = tangent_azimuth(values["theta_v"], values["turned"])
+        of_h = tangent - (math.atan2(h[1], h[0]) if math.hypot(h[0], h[1]) >= 1e-9 else 0.0)
         for one in self.shown:
             assert one.model
             given: dict[str, Default] = {p.name: values[one.prefix + p.name] for p in one.model.parameters}
-            found[f"{one.prefix}values"] = packed(one.model.parameters, given)
+            for ending, azimuth in (("values", tangent), ("half_values", of_h)):
+                turned = (azimuth,) if one.model.is_anisotropic else ()
+                found[one.prefix + ending] = packed(one.model.parameters, given, *turned)
         return found
 
     def carried(self, other: LoadedStep, values: dict) -> dict:
@@ -250,7 +256,9 @@ def assembled(name: str, entries: tuple[Entry, ...], peaks: dict[str, float]) ->
         sources=("Walt Disney Animation Studios, BRDF Explorer: the files",
                  "Matusik, Pfister, Brand and McMillan 2003: measurements"),
         honesty="Light and eye are infinitely far, nothing throws a shadow, and what is brighter than 1 is cut. Where "
-                "a file asks for X and Y, plots and lobes put X on the eye's side, and balls put it across.")
+                "a file asks for X and Y, X runs along growing azimuth about the picture's upward direction, around "
+                "balls and objects, and Y is N × X; lobes, curves and numbers have the X of the picked point, so "
+                "that “turned” turns it against the light. Badges look at X on the eye's side.")
     intro = "Any reflectance model, of the course or of a file."
     chapter = Chapter("The board", "Models as objects to examine.", ())
     top = round_up(most) if most > 0 else 1.0

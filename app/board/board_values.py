@@ -11,6 +11,7 @@ from app.spoken import words
 VIEWS = ("lit", "n", "l", "v", "h", "n·l", "n·v", "n·h", "l·h", "D", "G", "F", "f", "f n·l")
 SCALES = "f", "f n·l", "log f"
 CHANNELS = "red", "green", "blue", "luminance"
+TURNED = -0.7  # rad: the picked point lies to the upper left
 STEEPEST = math.radians(89.9)
 
 
@@ -52,7 +53,7 @@ def specs(models: list[str], own: list[tuple[Parameter, str, str]], angles: dict
           is_log: bool) -> dict[str, ValueSpec]:
     """name -> what can be set; `own` are parameters with their prefix and the model they are of."""
     found = [angle("theta_l", angles["theta_l"]), angle("theta_v", angles["theta_v"]), angle("phi", angles["phi"]),
-             angle("turned", -0.7),
+             angle("turned", TURNED),
              choice("lobe_scale", "lobes show", "the length of a lobe", SCALES, 2 * is_log, False),
              number("lobe_top", "ring stands for", "the value that a lobe of length 1 has", 1e-3, 1e6, top, "1/sr"),
              choice("model", "large", "the model of the large ball", tuple(models)),

@@ -4,6 +4,7 @@ Its names get a prefix, so that several files, and a scene, fit into one program
 """
 
 import re
+from functools import cached_property
 
 import numpy as np
 
@@ -23,7 +24,7 @@ def prefixed(file: BrdfFile, prefix: str) -> shader.Source:
     if not names:
         return file.shader
     word = re.compile(rf"(?<![.\w])({'|'.join(map(re.escape, sorted(names)))})(?!\w)")
-    return shader.Source(word.sub(lambda m: prefix + m[1], text), file.path, first)
+    return shader.Source(word.sub(lambda m: prefix + m[1], text), file.path, first, is_own=True)
 
 
 def uniforms(file: BrdfFile, prefix: str) -> str:
@@ -40,11 +41,20 @@ class BrdfModel:
         self.text = "\n".join([uniforms(file, self.prefix), '#include "model"', call])
         self.overrides = overrides or {"model": prefixed(file, self.prefix)}
 
-    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
-        """float32 values (..., 3) in 1/sr at unit vectors (..., 3); X and Y are across n."""
+    @cached_property
+    def is_anisotropic(self) -> bool:
+        """Whether its GLSL makes use of X or Y."""
+        code = "\n".join("\n".join(shader.strip_comments(one.text.split("\n"))) for one in self.overrides.values())
+        signature = shader.signatures(self.file.shader.text)["BRDF"]
+        return any(len(re.findall(rf"\b{a.name}\b", code)) > 1 for a in signature.args[3:])
+
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None, x=None) -> np.ndarray:
+        """float32 values (..., 3) in 1/sr at unit vectors (..., 3); `x` is X, across n and, where it is left to us,
+        as `frame` has it."""
         from app.gpu.evaluate import evaluate
 
-        x, y = frame(n)
+        x = frame(n)[0] if x is None else x
+        y = np.cross(n, x)
         given = {self.prefix + name: value for name, value in (self.file.defaults | (values or {})).items()}
         try:
             return evaluate("value_of_model", {"n": n, "l": l, "v": v, "x": x, "y": y}, self.text,

@@ -26,6 +26,7 @@ class CourseModel:
     name: str  # without the prefix
     warnings: tuple[str, ...] = ()
     edits: Overrides = ()  # the user's texts, where the function is made of them
+    is_anisotropic = False
 
     @property
     def function(self) -> str:
@@ -57,7 +58,7 @@ class CourseModel:
             return evaluate(self.function, {"n": n, "l": l, "v": v, **given}, overrides=dict(self.edits))
         return np.asarray(optics.twin(self.function)(n=n, l=l, v=v, **given))
 
-    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None, x=None) -> np.ndarray:
         """The three channels (..., 3); those of a grey model are the same."""
         found = [self.value(n, l, v, values, channel) for channel in range(1 if self.is_grey() else 3)]
         return np.stack((found * 3)[:3], -1)

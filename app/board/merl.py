@@ -99,6 +99,7 @@ def middles(stride: tuple[int, int, int] = (1, 1, 1)) -> tuple[np.ndarray, np.nd
 
 class Merl:
     parameters: tuple[Parameter, ...] = ()
+    is_anisotropic = False
 
     def __init__(self, path: str, cells: np.ndarray):
         self.path, self.cells, self.name = path, cells, Path(path).stem
@@ -125,7 +126,7 @@ class Merl:
         found = np.where(weight > 0, total / np.where(weight > 0, weight, 1), np.nan)
         return np.where(lit, SCALES[channel] * found, 0.0)
 
-    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None, x=None) -> np.ndarray:
         return np.stack([self.value(n, l, v, channel) for channel in range(3)], -1)
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:

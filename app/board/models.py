@@ -29,8 +29,12 @@ class BoardModel(Protocol):
     @property
     def warnings(self) -> tuple[str, ...]: ...
 
-    def rgb(self, n, l, v, values: dict[str, Default] | None = None) -> np.ndarray:
-        """(..., 3) in 1/sr at unit vectors (..., 3); n.z is not below 0."""
+    @property
+    def is_anisotropic(self) -> bool:
+        """Whether it asks how the surface is turned about its normal."""
+
+    def rgb(self, n, l, v, values: dict[str, Default] | None = None, x=None) -> np.ndarray:
+        """(..., 3) in 1/sr at unit vectors (..., 3); n.z is not below 0. `x` is what a file calls X: only files ask."""
 
     def is_grey(self, values: dict[str, Default] | None = None) -> bool: ...
 

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from app import optics, shader
-from app.board import factors
+from app.board import coated, factors
 from app.board.brdf_model import BrdfModel, prefixed, uniforms
 from app.board.coated import Coated
 from app.board.course_model import PREFIX, CourseModel
@@ -50,10 +50,7 @@ def piece(model: BoardModel, prefix: str) -> Piece:
         return Piece(f'uniform sampler2D {prefix}cells;\n#include "display/merl.glsl"',
                      f"merl_value({prefix}cells, n, l, v)", measured=((f"{prefix}cells", model.path),))
     assert isinstance(model, Coated)
-    share = ", ".join(f"f_schlick(0.5 * length(l + v), {prefix}f0.{c})" for c in "rgb")
-    declared = f"uniform float {prefix}m; uniform vec3 {prefix}rho, {prefix}f0;"
-    return Piece(f'{declared}\n#include "optics/cook_torrance.glsl"',
-                 f"{prefix}rho / PI + cook_torrance_dg(n, l, v, {prefix}m) * vec3({share})")
+    return Piece(coated.declared(prefix), coated.value(prefix))
 
 
 def of_course(model: CourseModel, prefix: str) -> Piece:

@@ -6,11 +6,13 @@
     albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1e-4 (app/furnace.py)
 
 WORD is what `halfway board` takes: a model of the course or a path. `channel` is 0, 1 or 2, or LUMINANCE for what the
-three weigh together; `values` are the model's parameters in their order, a colour as three numbers.
+three weigh together; `values` are the model's parameters in their order, a colour as three numbers; of a model that
+asks for X there follows X's azimuth in rad, from the eye's (board:, albedo:) or from h's (half:).
 `app.optics.twin` comes here for every name with a colon. A file that has changed is read again.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -23,17 +25,20 @@ from app.board.merl import directions
 from app.board.models import opened
 from app.furnace import albedo
 from app.hemisphere import NORMAL
+from app.optics.spherical import direction
 from app.problem import Usage
 from app.shader import Overrides
 
 LUMINANCE = 3
+ACROSS = -0.5 * np.pi  # `turned` of the points of a ball where X is on the eye's side, as the badges take it
 KINDS = "board", "half", "albedo"
 WEIGHTS = np.array([0.2126, 0.7152, 0.0722])  # of linear sRGB (IEC 61966-2-1)
 ANGLES = np.radians(np.append(90 * (1 - (1 - np.linspace(0, 1, 49)[:-5]) ** 2.75), 89.9))  # denser to the horizon
 
 
-def packed(parameters: tuple[Parameter, ...], values: dict[str, Default]) -> tuple[float, ...]:
-    return tuple(float(x) for p in parameters for x in np.ravel(values.get(p.name, p.default)))  # type: ignore[arg-type]
+def packed(parameters: tuple[Parameter, ...], values: dict[str, Default], *azimuth: float) -> tuple[float, ...]:
+    found = (float(x) for p in parameters for x in np.ravel(values.get(p.name, p.default)))  # type: ignore[arg-type]
+    return *found, *azimuth
 
 
 def unpacked(parameters: tuple[Parameter, ...], numbers: tuple[float, ...]) -> dict[str, Default]:
@@ -64,7 +69,10 @@ def made(kind: str, word: str, stamp: tuple, edits: Overrides) -> Callable:
     model = edited(opened(word), edits) or opened(word)
 
     def value(n, l, v, channel, values):
-        return channel_of(model.rgb(n, l, v, unpacked(model.parameters, values)), channel)
+        x = None
+        if model.is_anisotropic and len(values) > len(packed(model.parameters, {})):
+            x = direction(0.5 * np.pi, values[-1])
+        return channel_of(model.rgb(n, l, v, unpacked(model.parameters, values), x), channel)
 
     @cache
     def at_angles(channel: int, values: tuple[float, ...]) -> np.ndarray:
@@ -85,7 +93,10 @@ def badges(name: str, values: tuple[float, ...], edits: Overrides = ()) -> dict[
     """Of the model that a name with a colon means."""
     word = name.partition(":")[2]
     model = edited(opened(word), edits) or opened(word)
-    return model.badges(unpacked(model.parameters, values))
+    found = model.badges(unpacked(model.parameters, values))
+    if not model.is_anisotropic:
+        return found
+    return {name: replace(one, at={**one.at, "turned": ACROSS} if one.at else {}) for name, one in found.items()}
 
 
 def between(theta_v, y: np.ndarray) -> np.ndarray:

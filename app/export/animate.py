@@ -55,12 +55,11 @@ def run(options: Namespace) -> int:
         ffmpeg()  # asked before the work
     with Filming(found, state.values, state.view, sweeps, target.size_of(options.size), theme, part, number) as one:
         made: dict[float, Image.Image] = {}
-        with progress(len(set(shares))) as advance:
+        with progress(len(set(shares))) as tell:
             for share in shares:  # on the way back the same pictures serve
                 if share not in made:
-                    advance(f"{share:.0%}")
+                    tell(len(made), f"{share:.0%}")
                     made[share] = one.frame(share)
-            advance("")
     target.write(path, film([made[share] for share in shares], path.suffix.lower(), options.fps))
     return 0
 

@@ -11,6 +11,7 @@ from PIL import Image, ImageDraw
 
 from app import plots
 from app.board.board_step import COLOURS, MOST, ROLES, SPREAD
+from app.board.board_values import TURNED
 from app.board.brdf_file import Default
 from app.board.coated import Coated
 from app.board.fit import fit
@@ -18,6 +19,7 @@ from app.board.merl import Merl
 from app.board.models import BoardModel, opened
 from app.board.settings import of_model
 from app.board.terms import LUMINANCE, function, packed
+from app.brush import tangent_azimuth
 from app.export import target
 from app.export.board_words import SIGNS, STEP, Line, lines
 from app.export.ink import Ink, fitted, write
@@ -34,6 +36,7 @@ CHANNELS = (("red", "#DB3330"), ("green", "#33A840"), ("blue", "#406BF2"))
 SIZE, LEAST = "1920x1200", (1600, 1000)  # px
 LETTERS = 14  # heights of its text that an image slice has room for
 VALUES = {"theta_l": math.radians(45), "theta_v": math.radians(30), "phi": math.pi, "lobe_scale": 0}
+TANGENT = tangent_azimuth(VALUES["theta_v"], TURNED)  # of X, for plots: that of the board's first picked point
 RANGES = {"theta_v": (0.0, math.radians(89.9))}
 MUCH = 2.0  # an albedo where its axis ends: a model that makes more light may not flatten the others
 BESIDE = 1 / 3  # of the width, for the words of a model that is alone
@@ -51,7 +54,8 @@ class Shown:
     colour: Colour = "estimate"
 
     def term(self, kind: str = "board", channel: int | None = None) -> Term:
-        given: dict = {"values": packed(self.model.parameters, self.values)}
+        turned = (TANGENT,) if self.model.is_anisotropic else ()
+        given: dict = {"values": packed(self.model.parameters, self.values, *turned)}
         if channel is not None:
             given["channel"] = channel
         return Term(f"{kind}:{self.word}", given)
@@ -127,6 +131,8 @@ def heading(picture: Image.Image, models: list[Shown], ink: Ink) -> int:
     about = f"light at {angle('theta_l')}, eye at {angle('theta_v')} on the mirror's side; BRDF in 1/sr without cosine"
     if len(models) > 1 and not all(one.model.is_grey(one.values) for one in models):
         about += "; curves of coloured models: luminance"
+    if any(one.model.is_anisotropic for one in models):
+        about += f"; X at φ = {math.degrees(TANGENT):.3g}° from the eye's"
     write(draw, (gap, 0.5 * gap + 0.9 * large + 1.5 * ink.small), fitted(about, ink.small, room), ink.small,
           ink.colour("quiet"))
     return round(gap + 0.9 * large + 1.7 * ink.small)

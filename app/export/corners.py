@@ -6,7 +6,7 @@ from PIL import Image, ImageDraw
 
 from app.export.ink import Ink, bytes3, fitted, length, sample, square, write
 from app.export.labels import Box, Clutter, share
-from app.gpu.stage import Faults
+from app.gpu.picture import Faults
 from app.lesson import Mark, Scene
 from app.theme import rgb
 

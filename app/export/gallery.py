@@ -47,11 +47,10 @@ def gallery(folder: Path, theme: Theme = THEMES["dark"], found: tuple[Loaded, ..
     done: dict[str, Shown] = {}
     stopped = False
     try:
-        with progress(len(todo)) as advance:
-            for one in todo:
-                advance(one.step.title)
+        with progress(len(todo)) as tell:
+            for i, one in enumerate(todo):
+                tell(i, one.step.title)
                 done[one.id] = rendered(one, folder, theme, mesh, scale, ies)
-            advance("")
     except KeyboardInterrupt:
         stopped = True
     listed = [(loaded, [done[f"{loaded.id}/{step.name}"] for step in loaded.chapter.steps

@@ -82,7 +82,7 @@ def on_picture(stage: Stage, world: np.ndarray) -> tuple[float, float] | None:
     x, y, w = project(np.asarray(world, float), stage.matrix)
     if not (np.isfinite([x, y, w]).all() and w > 0 and -0.02 <= x <= 1.02 and -0.02 <= y <= 1.02):
         return None
-    return float(x) * stage.size[0], float(y) * stage.size[1]
+    return float(x) * stage.picture.size[0], float(y) * stage.picture.size[1]
 
 
 def ways(before: tuple[float, float], after: tuple[float, float], at_end: bool) -> tuple[tuple[float, float], ...]:

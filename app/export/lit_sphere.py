@@ -23,8 +23,11 @@ def sphere(model: BoardModel, values: dict, side: int, background: tuple[int, in
     lit = cosine > 0
     radiance = np.zeros((len(n), 3))
     with np.errstate(all="ignore"):
+        x = np.cross(np.array([0.0, 1.0, 0.0]), n[lit])  # along growing azimuth, as on the board's balls
+        x[:, 0] += 1e-5
+        x /= np.linalg.norm(x, axis=-1, keepdims=True)
         rgb = np.asarray(model.rgb(n[lit], np.broadcast_to(light, n[lit].shape), np.broadcast_to(eye, n[lit].shape),
-                                   values), float)
+                                   values, x), float)
     radiance[lit] = rgb * (IRRADIANCE * cosine[lit])[:, None]
     radiance = np.where(np.isfinite(radiance), radiance, srgb_to_linear(np.array(NOT_FINITE)))
     picture = np.broadcast_to(srgb_to_linear(np.array(background) / 255), (*inside.shape, 3)).copy()

@@ -13,6 +13,7 @@ from app.export.labels import COARSE, Box, Clutter, Placed, Word, draw_words, in
 from app.gpu.context import context
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.gpu.watch import watch
 from app.leaving import decisions, lean
 from app.lesson import Camera
 from app.state import View
@@ -45,7 +46,8 @@ class Shooting:
         found, triangles = lean(self.found, decisions(self.found, values)), values.get("triangles")
         if self.on_stage is None or self.on_stage[0] is not found:
             self.release()
-            made = Stage(context(), Source(found.step.scene, found.file_name, found.glsl_line), triangles)
+            source = Source(found.step.scene, found.file_name, found.glsl_line)
+            made = Stage(context(), source, triangles, values)
             self.on_stage, self.triangles = (found, made), triangles
         stage = self.on_stage[1]
         if triangles is not self.triangles:
@@ -62,8 +64,9 @@ class Shooting:
 
     def picture(self, values: dict, camera: Camera) -> Image.Image:
         stage, ink = self.stage(values), self.ink
+        watch(stage, values, camera)
         stage.draw(values, camera, self.size, self.theme)
-        picture, faults = Image.fromarray(np.ascontiguousarray(stage.pixels())), stage.faults()
+        picture, faults = Image.fromarray(np.ascontiguousarray(stage.picture.pixels())), stage.picture.faults()
         taken = notice(picture, faults, ink)
         if self.small:
             return picture
@@ -125,6 +128,6 @@ def framed(stage: Stage, values: dict, size: tuple[int, int], theme: Theme) -> C
 def reach(stage: Stage, theme: Theme) -> float:
     """How far from its middle the stage's last picture is drawn on: 1 at an edge."""
     background = np.array(bytes3(rgb(theme.background)), np.int16)
-    seen = np.abs(stage.pixels().astype(np.int16) - background).max(-1) > 24
+    seen = np.abs(stage.picture.pixels().astype(np.int16) - background).max(-1) > 24
     ends = [(found, len(line)) for line in (seen.any(0), seen.any(1)) if len(found := np.flatnonzero(line))]
     return max((abs(2 * edge / n - 1) for found, n in ends for edge in (found[0], found[-1] + 1)), default=FILLED)

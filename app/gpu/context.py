@@ -15,7 +15,7 @@ from functools import cache
 
 import moderngl
 
-from app import shader
+from app import loops, shader
 from app.problem import Problem
 
 DEVICE, SURFACELESS, OPENGL_API, NONE = 0x313F, 0x31DD, 0x30A2, 0x3038
@@ -175,6 +175,11 @@ def program(ctx: moderngl.Context, vertex: shader.Assembled, fragment: shader.As
         except moderngl.Error as error:
             raise Problem(compiler_message(str(error), vertex, fragment)) from None
     return programs[key]
+
+
+def endless(line: int, text: shader.Assembled) -> Problem:
+    """What is said of a loop that was left, at a line of the compiled text."""
+    return Problem(shader.translate(f"0:{line}: {loops.NEVER}", text))
 
 
 def compiler_message(message: str, vertex: shader.Assembled, fragment: shader.Assembled | None) -> str:

@@ -5,8 +5,8 @@ from typing import cast
 import moderngl
 import numpy as np
 
-from app import shader
-from app.gpu.context import context, kept, pixel, program
+from app import loops, shader
+from app.gpu.context import context, endless, kept, pixel, program
 from app.problem import Problem, Usage, near
 from app.shader import WIDTH
 
@@ -25,6 +25,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
     """
     include, signature = find(function, text)
     source, varying, fixed = point_program(signature, include if text is None else None, text)
+    assembled = assembled_with(source, function, overrides)
     columns = {arg.name: column(function, arg, args) for arg in varying}
     for arg in fixed:
         column(function, arg, args)
@@ -37,7 +38,7 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
     count, width = int(np.prod(shape, dtype=int)), WIDTH[signature.returns]
     ctx = ctx or context()
     with ctx:
-        feedback = linked(ctx, source, function, overrides)
+        feedback = linked(ctx, assembled, overrides)
         for name in (uniforms or {}).keys() & set(feedback):
             cast(moderngl.Uniform, feedback[name]).value = (uniforms or {})[name]
         if count == 0:
@@ -50,15 +51,19 @@ def evaluate(function: str, args: dict, text: str | None = None, ctx: moderngl.C
                 made.append(ctx.buffer(np.ascontiguousarray(full)))
                 used.append((made[-1], f"{WIDTH[a.type]}{'i' if a.type == 'int' else 'f'}", f"in_{a.name}"))
         points = ctx.vertex_array(feedback, used)
-        out = ctx.buffer(reserve=4 * width * count)
+        columns_out = width + is_watched(assembled)
+        out = ctx.buffer(reserve=4 * columns_out * count)
         before = ctx.fbo
         pixel(ctx).use()
         points.transform(out, moderngl.POINTS, count)
         before.use()
-        value = np.frombuffer(out.read(), np.int32 if signature.returns == "int" else np.float32)
+        found = np.frombuffer(out.read(), np.int32).reshape(count, columns_out)
         for thing in (points, out, *made):
             if thing is not None:
                 thing.release()
+    if line := found[:, width:].max(initial=0):
+        raise endless(int(line), assembled)
+    value = np.ascontiguousarray(found[:, :width]).view(np.int32 if signature.returns == "int" else np.float32)
     return value.reshape((*shape, width) if width > 1 else shape)
 
 
@@ -88,12 +93,25 @@ def compiled(function: str, overrides: shader.Overrides, ctx: moderngl.Context) 
     """A Problem where a twin made of these texts does not compile."""
     include, signature = find(function, None)
     with ctx:
-        linked(ctx, point_program(signature, include, None)[0], function, dict(overrides))
+        linked(ctx, assembled_with(point_program(signature, include, None)[0], function, dict(overrides)), overrides)
 
 
-def linked(ctx: moderngl.Context, source: str, function: str, overrides: dict[str, shader.Source] | None):
+def assembled_with(source: str, function: str, overrides: dict[str, shader.Source] | None) -> shader.Assembled:
+    """The text to compile; one with loops of the user's also tells which of them was left."""
     assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)
-    return program(ctx, assembled, varyings=("value",), passing=passing(ctx) if overrides else None)
+    if not is_watched(assembled):
+        return assembled
+    watched = f'#define main stage_main\n{source}\n#undef main\n#include "stage/watched.vert"'
+    return shader.assemble(watched, function, header=shader.DESKTOP, overrides=overrides)
+
+
+def is_watched(assembled: shader.Assembled) -> bool:
+    return loops.COUNT in assembled.text
+
+
+def linked(ctx: moderngl.Context, assembled: shader.Assembled, overrides: object):
+    varyings = ("value", "v_endless") if is_watched(assembled) else ("value",)
+    return program(ctx, assembled, varyings=varyings, passing=passing(ctx) if overrides else None)
 
 
 def passing(ctx: moderngl.Context) -> dict:

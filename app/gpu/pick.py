@@ -6,8 +6,9 @@ import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.gpu.stage import Stage, give, on_gpu, program_of
+from app.gpu.stage import Stage, program_of
 from app.gpu.stage_text import look
+from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera
 from app.theme import Theme
 
@@ -25,7 +26,7 @@ class Pick:
 
 def pick(stage: Stage, values: dict, camera: Camera, theme: Theme, at: tuple[float, float]) -> Pick | None:
     """What lies at a point of the stage's last picture (x, y in [0, 1] from the top left); None on the background."""
-    width, height = stage.size
+    width, height = stage.picture.size
     zoom = np.diag([width, height, 1.0, 1.0])  # the picked pixel fills the picture of one pixel
     zoom[0, 3], zoom[1, 3] = (1 - 2 * at[0]) * width, (2 * at[1] - 1) * height
     matrix = zoom @ orbit.view_projection(camera, width / height)
@@ -47,13 +48,14 @@ def raw(stage: Stage, values: dict, camera: Camera, theme: Theme, size: tuple[in
     matrix = orbit.view_projection(camera, size[0] / size[1]) if matrix is None else matrix
     ctx = stage.ctx
     with ctx:
+        stage.decide(values)
         stage.compile(tuple(name for name in names if name not in stage.programs))
         parts = [ctx.renderbuffer(size, 4, dtype="f4") for _ in range(3)]
         parts.append(ctx.depth_renderbuffer(size))
         target, before = ctx.framebuffer(parts[:3], parts[3]), ctx.fbo
         for name in names:
             give(stage.programs[name], view_projection=matrix.T.astype("f4").tobytes(),
-                 camera_position=tuple(orbit.position(camera)), **on_gpu(values), **look(theme))
+                 camera_position=tuple(orbit.position(camera)), **on_gpu(stage.scene, values), **look(theme))
         target.use()
         target.clear()
         ctx.enable_only(moderngl.DEPTH_TEST)

@@ -1,15 +1,19 @@
-"""Plays a scene: draws it into its own picture, answers its probes, counts its faults."""
+"""Plays a scene: draws it into its own picture, answers its probes."""
 
-from dataclasses import dataclass, replace
-from typing import Any, cast
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.gpu.context import pixel, program
+from app import loops
+from app.gpu.context import endless, pixel, program
 from app.gpu.evaluate import data_texture
-from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, pen, programs
+from app.gpu.picture import SAMPLES, Picture
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, needed, pen, programs
+from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.problem import Problem
@@ -17,75 +21,85 @@ from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
-SAMPLES = 4  # a picture at rest; while something moves it is drawn with one
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
 
 
-@dataclass(frozen=True)
-class Faults:
-    """Pixels whose radiance is not a number, infinite or negative."""
-
-    nan: int = 0
-    inf: int = 0
-    negative: int = 0
-
-    def __bool__(self) -> bool:
-        return bool(self.nan or self.inf or self.negative)
-
-
-def give(use: moderngl.Program, **values) -> None:
-    """Set the uniforms a program has among the given ones."""
-    known = use.extra = use.extra or {name: use[name] for name in use}  # `in` a program goes through all its names
-    for name in known.keys() & values.keys():
-        uniform, value = cast(Any, known[name]), values[name]
-        if isinstance(value, bytes):
-            uniform.write(value[:uniform.element_size * uniform.array_length])
-        else:
-            uniform.value = value
-
-
-def on_gpu(values: dict) -> dict:
-    """The step's values as uniforms; data that is no uniform (a mesh) stays behind."""
-    return {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
 
 
 class Stage:
     one_program = False  # for all surfaces, rather than one for each
 
-    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None):
+    def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None,
+                 values: dict | None = None):
+        """`values`: of the first picture, for what the scene decides; without one it is the first of each choice."""
         self.ctx, self.source, self.scene = ctx, source, source.scene
-        self.size, self.matrix, self.line_width = (0, 0), np.eye(4), 2.0
+        self.picture, self.matrix, self.line_width = Picture(ctx), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
-        self.arrays: dict[tuple[str, str], moderngl.VertexArray] = {}
+        self.arrays: dict[tuple[moderngl.Program, str], moderngl.VertexArray] = {}
         self.programs: dict[str, moderngl.Program] = {}
-        self.parts: dict[tuple[str, bool], Any] = {}  # what is drawn into: (name, fine)
-        self.targets: dict[tuple[tuple[str, ...], bool], moderngl.Framebuffer] = {}
+        self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
+        self.others: dict[tuple[int, ...], tuple] = {}  # programs and watched of other choices, the latest last
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
-        self.passing: dict = {}  # programs of texts that are being edited
+        self.passing: dict = {}  # programs of its own
+        self.watched: Programs = {}  # those with a loop of the user's
         with ctx:
+            self.choice |= self.chosen(values or {})
             self.compile(None)
             self.place(triangles)
 
-    def rewrite(self, overrides: Overrides) -> None:
-        """Other texts in the scene. One that does not compile is a Problem, and what was drawn before goes on.
+    # --- programs --------------------------------------------------------------------------------------------------
+    def chosen(self, values: dict) -> dict[str, int]:
+        """Of these values what the scene decides; what they do not have stays."""
+        values = on_gpu(self.scene, values)
+        return {name: int(values.get(name, now)) for name, now in self.choice.items()}
+
+    def decide(self, values: dict) -> None:
+        """The programs for what is chosen now: compiled when it is chosen first, found again later.
+
+        A text that is being edited is compiled for every choice at once, as it must be right for each."""
+        choice = self.chosen(values)
+        if choice == self.choice:
+            return
+        before, self.choice = self.choice, choice
+        if not self.source.overrides:
+            self.others[tuple(before.values())] = self.programs, self.watched
+            known = self.others.pop(tuple(choice.values()), None)
+            self.programs, self.watched = known or (self.compiled(None), self.watched)
+            if len(self.others) > KEPT:
+                self.others.pop(next(iter(self.others)))
+            self.let_go()
+            self.hold_mesh()
+
+    def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
+        """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
+        what was drawn before goes on.
 
         All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
         if overrides == self.source.overrides:
             return
-        before, self.source = self.source, replace(self.source, overrides=overrides)
+        before, runs = (self.source, self.programs, self.watched, self.others), False
+        self.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
-                made = self.compiled(None)
-        except Problem:
-            self.source = before
-            raise
-        with self.ctx:
-            for array in self.arrays.values():
-                array.release()
-            self.arrays, self.programs = {}, made
-            for key in [key for key, use in self.passing.items() if use not in made.values()]:
-                self.passing.pop(key).release()
+                self.programs = self.compiled(None)
+            trial()
+            runs = True
+        finally:
+            if not runs:
+                self.source, self.programs, self.watched, self.others = before
+            with self.ctx:
+                self.let_go()
+
+    def let_go(self) -> None:
+        """Release the programs of the stage's own that nothing here draws with."""
+        used = {use for made, _ in ((self.programs, 0), *self.others.values()) for use in made.values()}
+        for key in [key for key, use in self.passing.items() if use not in used]:
+            gone = self.passing.pop(key)
+            for name in [name for name in self.arrays if name[0] is gone]:
+                self.arrays.pop(name).release()
+            gone.release()
 
     def compile(self, names: tuple[str, ...] | None) -> None:
         self.programs |= self.compiled(names)
@@ -98,35 +112,49 @@ class Stage:
         if not shared:
             return False
         todo, use = next(iter(shared.items()))
-        vertex, fragment = self.texts((use,))[use]
-        assert fragment
+        choice = {} if self.source.overrides else self.choice
+        vertex, fragment = pair = self.texts((use,), choice | {"surface": todo})[use]
         with self.ctx:
-            own = program(self.ctx, only(todo, vertex), only(todo, fragment), (), self.passing_now)
+            own = program(self.ctx, vertex, fragment, (), self.passing_now)
         self.programs[f"{use} {todo}"] = own
+        if has_loops(pair):
+            self.watched[f"{use} {todo}"] = pair
         for fine, counted in ((False, False), (False, True), (True, False)):
-            self.draw(values, camera, self.size, theme, fine, counted)
+            self.draw(values, camera, self.picture.size, theme, fine, counted)
         return True
 
     @property
     def passing_now(self) -> dict | None:
-        """Where the programs of a text that is being edited are kept."""
-        return self.passing if self.source.overrides else None
+        """Where programs of its own are kept: of a text that is being edited, of a choice made later."""
+        return self.passing if self.source.overrides or self.others else None
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
-        passing = self.passing_now
-        one = self.one_program or passing is not None or len(self.scene.surfaces) > MANY
-        for name, (vertex, fragment) in self.texts(names).items():
-            if fragment and name in ("surface", "mesh") and not one:
-                for i in (i for i, s in enumerate(self.scene.surfaces) if program_of(s) == name):
-                    found[f"{name} {i}"] = program(self.ctx, only(i, vertex), only(i, fragment), (), passing)
-            else:
-                found[name] = program(self.ctx, vertex, fragment, () if fragment else ("value",), passing)
+        watched: Programs = {}
+        choice = {} if self.source.overrides else self.choice
+        one = self.one_program or self.source.overrides or len(self.scene.surfaces) > MANY
+        for name in needed(self.scene) if names is None else names:
+            wanted = {name: choice}
+            if name in ("surface", "mesh") and not one:
+                # its number a constant: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
+                # scene does for other surfaces would make its frames up to twice as slow
+                wanted = {f"{name} {i}": choice | {"surface": i} for i, s in enumerate(self.scene.surfaces)
+                          if program_of(s) == name}
+            for called, known in wanted.items():
+                vertex, fragment = pair = self.texts((name,), known)[name]
+                if has_loops(pair):
+                    watched[called] = pair
+                values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
+                found[called] = program(self.ctx, vertex, fragment, values, self.passing_now)
+        if names is None:
+            self.watched = watched
         return found
 
-    def texts(self, names: tuple[str, ...] | None) -> Programs:
+    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
+        """What is compiled, for the values that are `known`."""
         source = self.source
-        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides)
+        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides, known=known,
+                        watched=True)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -138,16 +166,21 @@ class Stage:
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
-                if any("texture_coordinates" in use for use in self.programs.values()):
-                    self.hold("texture_coordinates", WITHOUT)
-                if any("normals" in use for use in self.programs.values()):
-                    self.hold("normals", corner_normals(triangles))
+        self.hold_mesh()
         for uniform, path in self.scene.measured:
             from app.board import merl
 
             self.hold(uniform, merl.read(path).table)
         for i, mark in enumerate(self.scene.marks):
             self.keep(f"mark {i}", "3f", "stage_corner", *pen(mark.segments, mark.tip != "none"))
+
+    def hold_mesh(self) -> None:
+        """Of a mesh what the programs read beside its corners."""
+        if "triangles" not in self.data:
+            return
+        for name in ("texture_coordinates", "normals"):
+            if name not in self.data and any(name in use for use in self.programs.values()):
+                self.hold(name, WITHOUT if name == "texture_coordinates" else corner_normals(self.data["triangles"][0]))
 
     def hold(self, uniform: str, data: np.ndarray) -> None:
         """Constant data the scene reads by texelFetch; sent once as long as it is the same array."""
@@ -181,11 +214,12 @@ class Stage:
 
     def array(self, use: str, name: str = "") -> moderngl.VertexArray:
         """The vertex array that feeds the program `use` with the geometry `name`."""
-        if (use, name) not in self.arrays:
+        key = made, _ = self.programs[use], name
+        if key not in self.arrays:
             data, indices = self.geometry.get(name, (None, None))
-            content = [data] if data and data[2] in self.programs[use] else []
-            self.arrays[use, name] = self.ctx.vertex_array(self.programs[use], content, indices)
-        return self.arrays[use, name]
+            content = [data] if data and data[2] in made else []
+            self.arrays[key] = self.ctx.vertex_array(made, content, indices)
+        return self.arrays[key]
 
     # --- drawing ---------------------------------------------------------------------------------------------------
     def draw(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme,
@@ -196,50 +230,25 @@ class Stage:
         with self.ctx:
             fine = fine and self.ctx.max_samples >= SAMPLES
             drawn_into = ("picture", "faults") if counted else ("picture",)
-            target = self.target(drawn_into, fine)
+            target = self.picture.target(drawn_into, fine)
             before = self.ctx.fbo
             target.clear(*rgb(theme.background), 1.0)
             if counted:
-                self.target(("faults",), fine).clear()
+                self.picture.target(("faults",), fine).clear()
             target.use()  # last: clearing a framebuffer without depth leaves the depth mask off
             self.paint(values, target)
             if fine:
-                self.ctx.copy_framebuffer(self.target(drawn_into, False), target)
+                self.ctx.copy_framebuffer(self.picture.target(drawn_into, False), target)
             before.use()
-            return self.part("picture", False)
+            return self.picture.texture
 
     def aim(self, values: dict, camera: Camera, size: tuple[int, int], theme: Theme) -> None:
         """All that a picture depends on. From now on probes answer for it, and at once: they wait for what is drawn."""
         with self.ctx:
-            self.resize(size)
+            self.picture.resize(size)
+            self.decide(values)
             self.take_tables(values)
             self.set_uniforms(values, camera, theme)
-
-    def resize(self, size: tuple[int, int]) -> None:
-        size = max(1, int(size[0])), max(1, int(size[1]))
-        if size == self.size:
-            return
-        limit = self.ctx.info["GL_MAX_TEXTURE_SIZE"]
-        if max(size) > limit:
-            raise Problem(f"a picture of {size[0]} x {size[1]} pixels is larger than this OpenGL can draw ({limit}).")
-        self.release_targets()
-        self.size = size
-
-    def target(self, names: tuple[str, ...], fine: bool) -> moderngl.Framebuffer:
-        """A framebuffer of these parts, with depth where there is a picture; made when it is first wanted."""
-        if (names, fine) not in self.targets:
-            depth = self.part("depth", fine) if "picture" in names else None
-            self.targets[names, fine] = self.ctx.framebuffer([self.part(name, fine) for name in names], depth)
-        return self.targets[names, fine]
-
-    def part(self, name: str, fine: bool) -> Any:
-        if (name, fine) not in self.parts:
-            samples = SAMPLES if fine else 0
-            self.parts[name, fine] = (
-                self.ctx.depth_renderbuffer(self.size, samples=samples) if name == "depth" else
-                self.ctx.texture(self.size, 4) if name == "picture" and not fine else
-                self.ctx.renderbuffer(self.size, 4, samples=samples))
-        return self.parts[name, fine]
 
     def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
         """Opaque surfaces, then dots and marks, then what one looks through."""
@@ -251,8 +260,7 @@ class Stage:
         ctx.enable(moderngl.BLEND)
         ctx.blend_func = OVER
         if "dots" in self.programs:
-            self.bind_data(self.programs["dots"])
-            self.array("dots").render(moderngl.POINTS, self.dot_count(values))
+            self.paint_dots(values)
         for i, mark in enumerate(self.scene.marks):
             self.paint_mark(i, mark)
         target.depth_mask = False
@@ -262,12 +270,17 @@ class Stage:
         target.depth_mask = True
         ctx.enable_only(moderngl.NOTHING)
 
+    def drawn_by(self, i: int, suffix: str = "") -> str:
+        """The program of a surface: its own, or the one it shares."""
+        kind = program_of(self.scene.surfaces[i])
+        own = f"{kind} {suffix or i}"
+        return own if own in self.programs else kind
+
     def paint_surface(self, i: int, suffix: str = "") -> None:
         surface = self.scene.surfaces[i]
         if f"surface {i}" not in self.geometry:
             return
-        name = f"{program_of(surface)} {suffix or i}"
-        name = name if name in self.programs else program_of(surface)
+        name = self.drawn_by(i, suffix)
         self.bind_data(self.programs[name])
         give(self.programs[name], surface=i, opacity=surface.opacity)
         array = self.array(name, f"surface {i}")
@@ -279,6 +292,10 @@ class Stage:
             self.ctx.cull_face = away
             array.render()
         self.ctx.disable(moderngl.CULL_FACE)
+
+    def paint_dots(self, values: dict) -> None:
+        self.bind_data(self.programs["dots"])
+        self.array("dots").render(moderngl.POINTS, self.dot_count(values))
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
@@ -295,13 +312,14 @@ class Stage:
         return int(values[count]) if isinstance(count, str) else count
 
     def set_uniforms(self, values: dict, camera: Camera, theme: Theme) -> None:
-        self.matrix = orbit.view_projection(camera, self.size[0] / self.size[1])
-        self.line_width = theme.line * max(0.75, min(self.size) / 620)
+        size = self.picture.size
+        self.matrix = orbit.view_projection(camera, size[0] / size[1])
+        self.line_width = theme.line * max(0.75, min(size) / 620)
         dot = (2.0 + self.line_width) * (self.scene.dots.size if self.scene.dots else 1.0)
-        stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": self.size,
+        stage = look(theme) | {"view_projection": self.matrix.T.astype("f4").tobytes(), "viewport": size,
                                "camera_position": tuple(orbit.position(camera)), "dot_size": dot}
         for use in self.programs.values():
-            give(use, **on_gpu(values), **stage)
+            give(use, **on_gpu(self.scene, values), **stage)
 
     # --- answers ---------------------------------------------------------------------------------------------------
     def probes(self, values: dict) -> np.ndarray:
@@ -318,32 +336,21 @@ class Stage:
 
     def transform(self, name: str, count: int, **given) -> np.ndarray:
         with self.ctx:
+            self.decide(given)
             use = self.programs[name]
             self.take_tables(given)
             self.bind_data(use)
-            give(use, **on_gpu(given))
-            before, out = self.ctx.fbo, self.ctx.buffer(reserve=16 * count)
+            give(use, **on_gpu(self.scene, given))
+            width = 4 + (name in self.watched)
+            before, out = self.ctx.fbo, self.ctx.buffer(reserve=4 * width * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
             before.use()
-            answer = np.frombuffer(out.read(), "f4").reshape(count, 4).astype(float)
+            answer = np.frombuffer(out.read(), "f4").reshape(count, width)
             out.release()
-            return answer
-
-    def faults(self) -> Faults:
-        """The faulty pixels of the last picture that was counted."""
-        with self.ctx:
-            counted = self.target(("picture", "faults"), False)
-            found = np.frombuffer(counted.read(components=4, attachment=1), "u1").reshape(-1, 4)
-        if not np.count_nonzero(found.view("<u4") & 0xFFFFFF):
-            return Faults()
-        return Faults(*(int(np.count_nonzero(found[:, i])) for i in range(3)))
-
-    def pixels(self) -> np.ndarray:
-        """uint8 (height, width, 3), the top row first."""
-        with self.ctx:
-            data = np.frombuffer(self.target(("picture",), False).read(components=3, alignment=1), "u1")
-        return data.reshape(self.size[1], self.size[0], 3)[::-1]
+            if lines := answer[:, 4:].copy().view("i4").max(initial=0):
+                raise endless(int(lines), self.watched[name][0])
+            return answer[:, :4].astype(float)
 
     # --- the end ---------------------------------------------------------------------------------------------------
     def release_geometry(self) -> None:
@@ -357,27 +364,19 @@ class Stage:
             texture.release()
         self.arrays, self.geometry, self.data = {}, {}, {}
 
-    def release_targets(self) -> None:
-        for thing in (*self.targets.values(), *self.parts.values()):
-            thing.release()
-        self.targets, self.parts, self.size = {}, {}, (0, 0)
-
     def release(self) -> None:
         """Give back everything but the programs, which the context keeps for the next stage."""
         with self.ctx:
             self.release_geometry()
-            self.release_targets()
+            self.picture.release()
             for use in self.passing.values():
                 use.release()
 
 
+def has_loops(pair: tuple[Assembled, Assembled | None]) -> bool:
+    """Whether there are loops of the user's in a program."""
+    return any(part is not None and loops.COUNT in part.text for part in pair)
+
+
 def program_of(surface: Surface) -> str:
     return "mesh" if surface.mesh else "surface"
-
-
-def only(i: int, text: Assembled) -> Assembled:
-    """A program for one surface: its number a constant, so that what the scene does for the others falls away.
-
-    A CPU (llvmpipe) runs both sides of every branch; this makes its frames up to twice as fast.
-    """
-    return replace(text, text=text.text.replace("uniform int surface;", f"const int surface = {i};"))

@@ -1,16 +1,18 @@
 """A scene as programs (text) and constant arrays: what the window, a still and a page all play. No GL here."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import get_args
 
 import numpy as np
 
-from app import shader
+from app import loops, shader
 from app.colormaps import STOPS
 from app.lesson import Colour, Scene
 from app.optics.colour import srgb_to_linear
+from app.pruning import decide
 from app.theme import Theme, colour, rgb
 
 COLOURS: tuple[str, ...] = get_args(Colour)  # in the order of glsl/display/palette.glsl
@@ -55,24 +57,33 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
-             names: tuple[str, ...] | None = None, overrides: shader.Overrides = ()) -> Programs:
-    """name -> (vertex, fragment or None) for every program the scene needs (or the named ones)."""
+             names: tuple[str, ...] | None = None, overrides: shader.Overrides = (),
+             known: Mapping[str, int] | None = None, watched: bool = False) -> Programs:
+    """name -> (vertex, fragment or None) for every program the scene needs (or the named ones); `watched` ones tell
+    which loop of a user's text was left.
+
+    Whole values that are `known` are no uniforms but constants, and what is not chosen is left out."""
+    shorten = partial(decide, known=known) if known else None
     own = {"scene": shader.Source(scene.glsl, file, first)}
-    own |= {one.name: shader.Source(one.text, one.file, one.first) for one in scene.texts}
+    own |= {one.name: shader.Source(one.text, one.file, one.first, is_own=True) for one in scene.texts}
     own |= dict(overrides)
 
-    def text(part: tuple[str, str]) -> shader.Assembled:
+    def text(part: tuple[str, str], watch: str = "") -> shader.Assembled:
         before, after = part
         lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
         function, otherwise = OPTIONAL.get(after, ("", ""))
         if function and not re.search(rf"^{function}\(", scene.glsl, re.MULTILINE):
             lines.insert(1, f'#include "{otherwise}"')
-        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own)
+        if watch:
+            lines = ["#define main stage_main", *lines, "#undef main", f'#include "stage/watched.{watch}"']
+        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own, shorten=shorten)
 
     found: Programs = {}
     for name in needed(scene) if names is None else names:
         vertex, fragment = PARTS[name]
         found[name] = text(vertex), text(fragment) if fragment else None
+        if watched and not name.endswith("values") and any(part and loops.COUNT in part.text for part in found[name]):
+            found[name] = text(vertex, "vert"), text(fragment, "frag") if fragment else None
     return found
 
 

@@ -6,10 +6,12 @@ import hashlib
 import io
 import os
 import sys
+from collections import Counter
 from datetime import datetime
 from pathlib import Path
 
 from app import VERSION
+from app.console import Tell, progress
 from app.grade import intake, late, overrides, work
 from app.grade.assignment import Assignment, load
 from app.grade.executor import DaskExecutor, Executor, LocalExecutor
@@ -102,28 +104,30 @@ class Class:
         self.keys: dict[str, str] = {}
         self.facts: dict[str, dict] = {}  # student -> the submission's part of result.json
         self.bodies: dict[str, dict] = {}
+        self.students: Counter[str] = Counter()  # how many handed in the text of a key
+        self.counts = {"passed": 0, "failed": 0, "ungraded": 0}
 
     def grade(self) -> int:
         jobs: dict[str, dict] = {}
         for student, entries in self.handed_in.items():
             job = self.job(student, entries)
-            key = self.keys[student] = job["key"]
-            if key in self.bodies or key in jobs:
-                continue
+            self.keys[student] = job["key"]
+            jobs.setdefault(job["key"], job)
+        self.students = Counter(self.keys.values())
+        for key, job in jobs.items():
             body = self.store.get(key)
             if body is None:
-                jobs[key] = job
+                self.executor.submit(work.grade, job)
             else:
-                self.bodies[key] = body
-        for job in jobs.values():
-            self.executor.submit(work.grade, job)
-        with Watch(len(self.bodies) + len(jobs), self) as advance:
+                self.know(key, body)
+        with progress(len(jobs)) as tell:
+            tell(len(self.bodies), self.words())
             try:
-                self.collect(work.grade, advance)
+                self.collect(work.grade, tell)
             except KeyboardInterrupt:
                 self.executor.cancel()
                 print("halfway: what is running is brought to its end; --resume goes on from there.", file=sys.stderr)
-                self.collect(None, advance)
+                self.collect(None, tell)
                 self.write()
                 raise
         self.write()
@@ -141,7 +145,7 @@ class Class:
         return {"key": key_of(**same, grader=VERSION), "student": student, "named": self.named, **same,
                 "entries": [str(entry.resolve()) for entry in entries], "assignment": str(self.assignment.file)}
 
-    def collect(self, again, advance) -> None:
+    def collect(self, again, tell: Tell) -> None:
         """Results as they come; what could not be graded is tried again, twice."""
         for job, answer in self.executor.as_completed():
             body = answer["body"] if answer else {"verdict": "ungraded", "why": "the worker was lost", "tests": []}
@@ -150,17 +154,16 @@ class Class:
             if body["verdict"] == "ungraded" and tried < ATTEMPTS and again:
                 self.executor.submit(again, {**job, "tried": tried})
                 continue
-            self.bodies[job["key"]] = body
-            advance()
+            self.know(job["key"], body)
+            tell(len(self.bodies), self.words())
 
-    @property
-    def counts(self) -> dict[str, int]:
-        """Of students, not of texts: the same text may have been handed in twice."""
-        found = {"passed": 0, "failed": 0, "ungraded": 0}
-        for key in self.keys.values():
-            if key in self.bodies:
-                found[{"pass": "passed", "ungraded": "ungraded"}.get(self.bodies[key]["verdict"], "failed")] += 1
-        return found
+    def know(self, key: str, body: dict) -> None:
+        """Counted are students, not texts: the same text may have been handed in twice."""
+        self.bodies[key] = body
+        self.counts[{"pass": "passed", "ungraded": "ungraded"}.get(body["verdict"], "failed")] += self.students[key]
+
+    def words(self) -> str:
+        return ", ".join(f"{count} {name}" for name, count in self.counts.items())
 
     def write(self) -> None:
         """marks.csv and every result.json, from what is known; the same bytes whatever way it became known."""
@@ -185,9 +188,8 @@ class Class:
         durable(self.results / "marks.csv", marks(bodies, self.assignment.points, self.by_hand))
 
     def tell(self) -> None:
-        words = ", ".join(f"{count} {name}" for name, count in self.counts.items())
         level = self.machine["level"]
-        print(f"{len(self.keys)} submissions: {words}. Isolation {level}: {MEANING[level]}."
+        print(f"{len(self.keys)} submissions: {self.words()}. Isolation {level}: {MEANING[level]}."
               + ("" if self.machine["safe"] else " UNSANDBOXED."))
         if self.assignment.due and not self.times:
             print("Nobody counts as late: when each handed in is said by --handed-in FILE.csv.")
@@ -207,31 +209,3 @@ def marks(bodies: dict[str, dict], most: float, by_hand: dict[str, dict]) -> byt
         score = "" if body.get("score") is None else f"{body['score']:.6g}"
         table.writerow([cell(student), score, f"{most:.6g}", body["verdict"]])
     return out.getvalue().encode()
-
-
-class Watch:
-    """A bar on stderr with counts of passed, failed, ungraded, where there is a terminal."""
-
-    def __init__(self, total: int, of: Class) -> None:
-        from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-        console = Console(stderr=True)
-        self.of = of
-        columns = (TextColumn("Grading"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[counts]}"),
-                   TimeRemainingColumn())
-        self.bar = Progress(*columns, console=console, disable=not console.is_terminal)
-        self.task = self.bar.add_task("grading", total=total, completed=len(of.bodies), counts=self.words())
-
-    def words(self) -> str:
-        return "  ".join(f"{name} {count}" for name, count in self.of.counts.items())
-
-    def __enter__(self):
-        self.bar.start()
-        return self.advance
-
-    def advance(self) -> None:
-        self.bar.update(self.task, advance=1, counts=self.words())
-
-    def __exit__(self, *error) -> None:
-        self.bar.stop()

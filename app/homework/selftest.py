@@ -3,10 +3,10 @@
 Many texts go into one file, one a function, so that a few processes ask hundreds of them.
 """
 
-import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from app.console import progress
 from app.grade import texts
 from app.grade.assignment import LANGUAGES, Assignment, Task, assignments, load
 from app.grade.intake import Submission
@@ -95,7 +95,7 @@ def languages_of(task: Task) -> tuple[Language, ...]:
     return tuple(language for language in FILES if language in known)
 
 
-def outcomes(given: list[Case], advance=lambda count: None) -> Iterable[Outcome]:
+def outcomes(given: list[Case]) -> Iterable[Outcome]:
     """What becomes of every text, as it is known: visible and hidden points."""
     whole = everything()
     for language in FILES:
@@ -105,7 +105,6 @@ def outcomes(given: list[Case], advance=lambda count: None) -> Iterable[Outcome]
         for inside in texts.packed([(case.function, case.text) for case in own], language):
             together = [own[i] for i in inside]
             yield from of_file(whole, language, together, asked)
-            advance(len(together))
 
 
 def of_file(whole: Assignment, language: Language, together: list[Case], asked: dict) -> list[Outcome]:
@@ -123,13 +122,12 @@ def of_file(whole: Assignment, language: Language, together: list[Case], asked: 
 
 
 def run() -> int:
-    from rich.console import Console
-    from rich.progress import Progress
-
     given = cases()
-    with Progress(console=Console(file=sys.stderr), transient=True) as progress:
-        bar = progress.add_task("asking", total=len(given))
-        found = list(outcomes(given, lambda count: progress.advance(bar, count)))
+    found = []
+    with progress(len(given)) as tell:
+        for one in outcomes(given):
+            found.append(one)
+            tell(len(found), one.case.function)
     bad = [one for one in found if one.fault]
     for kind, words in {"stub": "stubs fail", "solution": "solutions pass", "mutant": "mutants are caught"}.items():
         of_kind = [one for one in found if one.case.kind == kind]

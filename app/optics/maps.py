@@ -34,21 +34,30 @@ def _sampled(texels, map_s, map_t):
     return (1 - b) * ((1 - a) * at(i, j) + a * at(i + 1, j)) + b * ((1 - a) * at(i, j + 1) + a * at(i + 1, j + 1))
 
 
-def stored_roughness(roughness_map, map_s, map_t):
-    """What the roughness map stores: a user's, or that of the plate, which has been wiped, and its gold is worn.
+def plate_roughness(map_s, map_t):
+    """The roughness of the plate, which has been wiped, and its gold is worn.
 
-    a map: its first channel, bilinear; without one (its fourth channel is 0) (0.30 + 0.12 p) + (0.13 + 0.07 p) w,
-    p = map_pattern, w = sin(2 pi (3 s + 2 t) + 2 sin(4 pi t)), the strokes
+    (0.30 + 0.12 p) + (0.13 + 0.07 p) w, p = map_pattern, w = sin(2 pi (3 s + 2 t) + 2 sin(4 pi t)), the strokes
 
-    roughness_map (rows, columns, 4) bytes, the lowest row first, map_s, map_t (...) 0 .. 1. Returns (...) 0 .. 1, of
-    the plate 0.17 .. 0.62. Errors: none. Source: made up for this course.
+    map_s, map_t (...) 0 .. 1. Returns (...) 0.17 .. 0.62. Errors: none. Source: made up for this course.
     """
-    if roughness_map[0, 0, 3]:
-        return _sampled(roughness_map, map_s, map_t)
     s, t = np.asarray(map_s, float), np.asarray(map_t, float)
     strokes = np.sin(2 * pi * (3 * s + 2 * t) + 2 * np.sin(4 * pi * t))
     p = map_pattern(s, t)
     return 0.30 + 0.12 * p + (0.13 + 0.07 * p) * strokes
+
+
+def stored_roughness(roughness_map, map_s, map_t):
+    """What the roughness map stores: a user's, or that of the plate.
+
+    a map: its first channel, bilinear; without one (its fourth channel is 0) plate_roughness
+
+    roughness_map (rows, columns, 4) bytes, the lowest row first, map_s, map_t (...) 0 .. 1. Returns (...) 0 .. 1.
+    Errors: none. Source: made up for this course.
+    """
+    if roughness_map[0, 0, 3]:
+        return _sampled(roughness_map, map_s, map_t)
+    return plate_roughness(map_s, map_t)
 
 
 def roughness_as_srgb(roughness_map, map_s, map_t):

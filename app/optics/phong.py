@@ -82,15 +82,15 @@ def lobe_phong(n, l, v, exponent):
 
 
 def lobe_phong_naive(n, l, v, exponent):
-    """lobe_phong from r.v itself: the power of a number next to 1.
+    """lobe_phong from r.v itself: the power of a number next to 1, or of one below 0, which is none.
 
-    max(0, r.v)^exponent
+    (r.v)^exponent
 
-    n, l, v (..., 3) unit, exponent >= 0 (...). Returns (...) 0 .. 1. Errors: rounding r.v costs u times the exponent.
-    Source: deck, The Phong Model for Specular BRDF (1).
+    n, l, v (..., 3) unit, exponent >= 0 (...). Returns (...) 0 .. 1; NaN where r.v < 0, for GLSL has no power there.
+    Errors: rounding r.v costs u times the exponent. Source: deck, The Phong Model for Specular BRDF (1).
     """
     r_dot_v = _dot(reflection_vector(n, l), v)
-    return np.where(r_dot_v > 0, np.maximum(r_dot_v, 0.0) ** exponent, 0.0)[()]
+    return np.where(r_dot_v >= 0, np.maximum(r_dot_v, 0.0) ** exponent, np.nan)[()]
 
 
 def shading_phong(n, l, v, k_d, k_s, exponent):

@@ -35,6 +35,21 @@ def irradiance_positional(radiant_intensity, distance, theta, source_radius):
         return intensity / r * np.maximum(np.cos(theta), 0) / r
 
 
+def irradiance_positional_naive(radiant_intensity, distance, theta, source_radius):
+    """irradiance_positional with the cosine as it comes: negative for a light behind the surface.
+
+    I cos theta / max(distance, source_radius)^2
+
+    The arguments of irradiance_positional. Returns (...) W/m^2, negative beyond a right angle. Errors: that. Source:
+    deck, Plausible Shading - Measuring Light, without its condition.
+    """
+    intensity, distance, theta, radius = (np.asarray(x, float) for x in (
+        radiant_intensity, distance, theta, source_radius))
+    r = np.maximum(distance, radius)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return intensity / r * np.cos(theta) / r
+
+
 def irradiance_at(position, normal, light_position, radiant_intensity, source_radius):
     """The irradiance a point light gives at a surface point.
 
@@ -49,6 +64,22 @@ def irradiance_at(position, normal, light_position, radiant_intensity, source_ra
     r = np.maximum(d, source_radius)
     facing = np.maximum(_dot(np.asarray(normal, float), way), 0)
     meets = d == 0
+    value = radiant_intensity / np.where(meets, 1, r) * (facing / np.where(meets, 1, d)) / np.where(meets, 1, r)
+    return np.where(meets, 0.0, value)[()]
+
+
+def irradiance_at_naive(position, normal, light_position, radiant_intensity, source_radius):
+    """irradiance_at with the cosine as it comes: negative for a light behind the surface.
+
+    I n.l / max(r, source_radius)^2, r = |p_L - x|
+
+    The arguments of irradiance_at. Returns (...) W/m^2, negative behind the surface. Errors: that. Source: deck,
+    Plausible Shading - Measuring Light, without its condition.
+    """
+    way = np.asarray(light_position, float) - np.asarray(position, float)
+    d = np.sqrt(_dot(way, way))
+    facing = _dot(np.asarray(normal, float), way)
+    r, meets = np.maximum(d, source_radius), d == 0
     value = radiant_intensity / np.where(meets, 1, r) * (facing / np.where(meets, 1, d)) / np.where(meets, 1, r)
     return np.where(meets, 0.0, value)[()]
 

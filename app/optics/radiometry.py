@@ -9,6 +9,7 @@ from numpy import pi
 from app.optics.projected_solid_angle import (
     projected_solid_angle_cone,
     projected_solid_angle_disk,
+    projected_solid_angle_disk_naive,
     projected_solid_angle_sphere,
 )
 from app.optics.solid_angle import solid_angle_cone
@@ -162,6 +163,17 @@ def irradiance_disk(radiance, radius, height, offset):
     Errors: none. Source: Howell, catalogue of configuration factors, B-12.
     """
     return np.asarray(radiance, float) * projected_solid_angle_disk(radius, height, offset)
+
+
+def irradiance_disk_naive(radiance, radius, height, offset):
+    """irradiance_disk with the configuration factor as it is printed, 1 less almost 1.
+
+    radiance projected_solid_angle_disk_naive(radius, height, offset)
+
+    radiance (...) W/(m^2 sr), radius > 0, height > 0, offset >= 0 (...) m. Returns (...) W/m^2. Errors: cancels for a
+    far disk. Source: Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-12.
+    """
+    return np.asarray(radiance, float) * projected_solid_angle_disk_naive(radius, height, offset)
 
 
 def irradiance_round_far(radiance, radius, distance):

@@ -40,6 +40,18 @@ def lambda_beckmann_slope(slope):
     return found[()]
 
 
+def lambda_beckmann_slope_naive(slope):
+    """Smith's Lambda of a quotient read upside down: a = m tan theta in place of 1 / (m tan theta).
+
+    (1 - 1.259 a + 0.396 a^2) / (3.535 a + 2.181 a^2) for a < 1.6, else 0, with a = max(slope, 1e-6)
+
+    slope (...) >= 0. Returns (...) >= 0: large where nothing blocks, and none at grazing. Errors: all of it but at
+    slope 1. Source: Walter et al. 2007, the fit, misread.
+    """
+    a = np.maximum(np.asarray(slope, float), 1e-6)
+    return np.where(a < 1.6, (1 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a), 0.0)[()]
+
+
 def lambda_beckmann(n_dot_v, m):
     """Smith's Lambda of a Gaussian surface: the hidden part of the facets over the seen part.
 

@@ -84,6 +84,19 @@ def fibonacci_direction(index, samples):
     return np.stack([r * np.cos(phi), r * np.sin(phi), 0.5 * (below - above) / samples], -1)
 
 
+def fibonacci_direction_naive(index, samples):
+    """Direction number `index` of `samples` directions in equal steps of the polar angle: crowded at the poles.
+
+    theta = pi (2 index + 1) / (2 samples), phi as in fibonacci_direction
+
+    index (...) 0 .. samples - 1, samples (...) >= 1, integers. Returns (..., 3). Errors: sin theta is missing, so a
+    place at theta gets 2 / (pi sin theta) times its share. Source: deck, Solid Angles, dw = sin theta dtheta dphi.
+    """
+    index, samples = np.broadcast_arrays(np.asarray(index, np.int64), np.asarray(samples, np.int64))
+    turn = ((index * 2654435769 + 2**31) % 2**32 - 2**31) / 2**32
+    return direction(np.pi * (2 * index + 1) / (2 * samples), 2 * np.pi * turn)
+
+
 def sphere_point(s, t):
     """A point of the unit sphere: s goes once around, t from the pole +z to the pole -z.
 

@@ -25,6 +25,19 @@ def spot_linear(off_axis, hotspot, falloff):
     return np.where(hard, (a <= falloff).astype(float), value)[()]
 
 
+def spot_linear_naive(off_axis, hotspot, falloff):
+    """The deck's spotlight by its cosines: cancels for narrow cones, and is inside out where the hotspot is the wider.
+
+    clamp((cos a - cos F) / (cos H - cos F), 0, 1)
+
+    off_axis a, hotspot H, falloff F (...) rad, half angles. Returns (...), 0 .. 1; 0/0 at H = F = a. Errors: those.
+    Source: deck, Light Sources - Spotlights (2), with cos F as its last threshold.
+    """
+    a, hotspot, falloff = (np.asarray(x, float) for x in (off_axis, hotspot, falloff))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.clip((np.cos(a) - np.cos(falloff)) / (np.cos(hotspot) - np.cos(falloff)), 0, 1)[()]
+
+
 def spot_smooth(off_axis, hotspot, falloff):
     """The same spotlight with a smoothstep between the zones: no crease at either edge, and the same flux.
 

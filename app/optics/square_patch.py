@@ -8,7 +8,13 @@ import numpy as np
 
 from app.optics.projected_solid_angle import _AT, _WEIGHT, projected_solid_angle_polygon
 from app.optics.solid_angle_flat import solid_angle_rectangle_beside, solid_angle_rectangle_off_axis
-from app.optics.spherical import direction, direction_phi, direction_theta, fibonacci_direction
+from app.optics.spherical import (
+    direction,
+    direction_phi,
+    direction_theta,
+    fibonacci_direction,
+    fibonacci_direction_naive,
+)
 
 
 def _column(x):
@@ -66,6 +72,15 @@ def solid_angle_patch_small(distance, tilt, width):
     return (width / distance) ** 2 * np.abs(np.cos(tilt))
 
 
+def _counted(direction_of, theta, phi, distance, tilt, width, samples):
+    given = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, phi, distance, tilt, width, samples)))
+    counts = []
+    for *patch, count in zip(*(g.ravel() for g in given), strict=True):
+        rays = direction_of(np.arange(int(count)), int(count))
+        counts.append(np.count_nonzero(meets_patch(rays, *patch)))
+    return (4 * np.pi * np.reshape(counts, given[0].shape) / given[-1])[()]
+
+
 def solid_angle_patch_counted(theta, phi, distance, tilt, width, samples):
     """The solid angle of the square by counting: the share of evenly spread directions that meet it, times 4 pi.
 
@@ -74,12 +89,18 @@ def solid_angle_patch_counted(theta, phi, distance, tilt, width, samples):
     theta, phi, tilt (...) rad, distance, width (...) m, samples (...) >= 1. Returns (...) sr, a multiple of
     4 pi / samples. Errors: falls like samples^(-3/4). Source: deck, Solid Angles; Swinbank and Purser 2006.
     """
-    given = np.broadcast_arrays(*(np.asarray(x, float) for x in (theta, phi, distance, tilt, width, samples)))
-    counts = []
-    for *patch, count in zip(*(g.ravel() for g in given), strict=True):
-        rays = fibonacci_direction(np.arange(int(count)), int(count))
-        counts.append(np.count_nonzero(meets_patch(rays, *patch)))
-    return (4 * np.pi * np.reshape(counts, given[0].shape) / given[-1])[()]
+    return _counted(fibonacci_direction, theta, phi, distance, tilt, width, samples)
+
+
+def solid_angle_patch_counted_naive(theta, phi, distance, tilt, width, samples):
+    """The solid angle of the square by counting directions in equal steps of the polar angle, as if dw = dtheta dphi.
+
+    4 pi hits / samples over fibonacci_direction_naive(0 .. samples - 1)
+
+    The arguments of solid_angle_patch_counted. Returns (...) sr. Errors: 2 / (pi sin theta) times too much for a small
+    square at theta, at any number of samples. Source: deck, Solid Angles, dw = sin theta dtheta dphi.
+    """
+    return _counted(fibonacci_direction_naive, theta, phi, distance, tilt, width, samples)
 
 
 def meets_patch(towards, theta, phi, distance, tilt, width):

@@ -124,7 +124,7 @@ def around(study: Study, record: Record, look: Look, height: int) -> tuple[np.nd
     names stand at the lines that matter."""
     above, nothing = legend(study, record, look), np.zeros((0, look.size[0], 3), np.uint8)
     for below in (foot(study, record, look), foot(study, record, look, brief=True)):
-        if height - len(above) - len(below) >= max(0.5 * height, 11 * look.small):
+        if height - len(above) - len(below) >= max(0.45 * height, 11 * look.small):
             return above, below, False
     return line_of_words(look, "relative error, over time"), nothing, True
 
@@ -193,7 +193,7 @@ def shown(line: Line, point: Point) -> float:
 
 def axes(record: Record) -> tuple[Axis, Axis]:
     """Whole powers of ten around all points."""
-    times = [p.time for line in record.lines for p in line.points] or [1e-4, 1e-2]
+    times = [time for line in record.lines for p in line.points for time in p.spread] or [1e-4, 1e-2]
     errors = [min(shown(line, p), HIGHEST) for line in record.lines for p in line.points] or [1e-3, 1.0]
 
     def decades(low: float, high: float) -> Axis:
@@ -255,11 +255,11 @@ def strokes(canvas: np.ndarray, look: Look, lines: list, place) -> np.ndarray:
 
 def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.ndarray:
     """What the axis is, what failed silently, and (unless brief) why the winner wins."""
-    failed = [f"× {line.label}: {line.silent[-1].words}" for line in record.lines if line.silent]
+    failed = silent_words(record)
     gap, high = round(0.5 * look.text), round(1.3 * look.small)
     room = look.size[0] - 2 * gap
     rows = [("time of one estimate" if record.where == "CPU" else "time of one frame", look.foreground)]
-    rows += [(row, SILENT) for text in failed[:1 if brief else 3] for row in wrapped(look, text, look.small, room)]
+    rows += [(row, SILENT) for text in failed[:1 if brief else 2] for row in wrapped(look, text, look.small, room)]
     rows += [(row, look.quiet) for row in wrapped(look, study.why, look.small, room) if not brief]
     picture = Image.new("RGB", (look.size[0], high * len(rows) + gap), bytes3(look.background))
     draw = ImageDraw.Draw(picture)
@@ -269,12 +269,23 @@ def foot(study: Study, record: Record, look: Look, brief: bool = False) -> np.nd
     return np.asarray(picture)
 
 
+def silent_words(record: Record) -> list[str]:
+    """Which methods fail silently, and how: who says converged before who sees no spread."""
+    found: dict[str, list[str]] = {}
+    for line in record.lines:
+        if line.silent:
+            found.setdefault(max(line.silent, key=lambda point: point.wrong).words, []).append(line.label)
+    told = sorted(found.items(), key=lambda one: not one[0].startswith("converged"))
+    return [f"× {'; '.join(labels)}: {words}" for words, labels in told]
+
+
 def chosen(method: Method, point: Point) -> dict[str, Number]:
     """What a click on a point sets: the numbers the method gives its twin, and its cost; or what the lesson says."""
     if method.term is not None and method.cost:
         given = {k: v for k, v in method.term.args.items() if not isinstance(v, str)}
         return {**given, method.cost: point.rung}
-    return {name: point.samples if isinstance(value, str) else value for name, value in method.sets.items()}
+    spent: dict[Number | str, Number] = {"N": point.samples, "rung": point.rung}
+    return {name: spent[value] if isinstance(value, str) else value for name, value in method.sets.items()}
 
 
 def told(line: Line, point: Point) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from app.catalog import steps
+from app.console import progress
 from app.optics import names
 from app.problem import Usage, near
 from app.stress.judge import Finding, judged
@@ -54,19 +55,12 @@ def run(options: argparse.Namespace) -> int:
 
 def tried(subjects: Iterable, test: Callable, results: list, name: Callable[[Any], str]) -> int:
     """Each subject tested, with a bar on a terminal; an interruption keeps what is done."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
     todo = list(subjects)
-    bar = Progress(BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"),
-                   console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty())
     try:
-        with bar:
-            task = bar.add_task("", total=len(todo))
+        with progress(len(todo)) as tell:
             for subject in todo:
-                bar.update(task, description=name(subject))
+                tell(len(results), name(subject))
                 results.append(test(subject))
-                bar.advance(task)
     except KeyboardInterrupt:
         print(f"halfway: interrupted after {len(results)} of {len(todo)}; what is done is told.", file=sys.stderr)
         return INTERRUPTED

@@ -324,4 +324,4 @@ def arguments(name: str, rng: np.random.Generator, count: int = POINTS, values: 
             args[arg.name] = planar(rng)
         else:
             args[arg.name] = values(arg.name, rng, count)
-    return JOINT.get(name, lambda a, rng: a)(args, rng)
+    return JOINT.get(name.removesuffix("_naive"), lambda a, rng: a)(args, rng)

@@ -8,7 +8,8 @@ import numpy as np
 
 from app.catalog import LoadedStep, step
 from app.gpu.context import context
-from app.gpu.stage import Faults, Stage
+from app.gpu.picture import Faults
+from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.lesson import Number
 from app.state import defaults, write
@@ -74,12 +75,13 @@ class Player:
         scene, more = self.found.step.scene, data(self.found, values)
         mesh, whole = more.get("triangles"), values | more
         if self.stage is None:
-            self.stage = Stage(self.ctx, Source(scene, self.found.file_name, self.found.glsl_line), mesh)
+            source = Source(scene, self.found.file_name, self.found.glsl_line)
+            self.stage = Stage(self.ctx, source, mesh, whole)
         elif mesh is not self.mesh:
             self.stage.place(mesh)
         self.mesh = mesh
         self.stage.draw(whole, scene.camera, SIZE, THEMES["dark"], fine=False)
-        pixels = self.stage.faults()
+        pixels = self.stage.picture.faults()
         if is_meant(self.found, values):
             pixels = Faults(pixels.nan, pixels.inf)
         places = [self.stage.probes(whole), *self.stage.anchors(whole).values()]

@@ -10,6 +10,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 from app.catalog import LoadedStep, steps
+from app.console import progress
 from app.lesson import Study
 from app.problem import Problem, Usage, near
 from app.study.measure import cases, measure
@@ -66,17 +67,17 @@ def run(options: argparse.Namespace) -> int:
 
 def jobs(topics: list[str]) -> Iterator[Job]:
     """What is to be measured, in the order of the course."""
-    studied = [(found, found.step.study) for found in steps() if found.step.study]
-    wanted = set()
+    studied = [(found, study) for found in steps() for study in found.step.studies]
+    wanted: set[tuple[str, str]] = set()
     for topic in topics:
-        here = {found.id for found, study in studied if topic in (found.id, found.loaded.id, found.step.name)
-                or topic.lower() in study.title.lower()}
+        here = {(found.id, study.title) for found, study in studied if topic in (found.id, found.loaded.id,
+                found.step.name) or topic.lower() in study.title.lower()}
         if not here:
             known = {word for found, _ in studied for word in (found.id, found.loaded.id)}
             raise Usage(f"there is no study of {topic}.{near(topic, known)}")
         wanted |= here
     for found, study in studied:
-        if topics and found.id not in wanted:
+        if topics and (found.id, study.title) not in wanted:
             continue
         base = {name: spec.default for name, spec in found.values.items()}
         named = {name: spec.choices for name, spec in found.values.items() if spec.choices}
@@ -95,41 +96,35 @@ def jobs(topics: list[str]) -> Iterator[Job]:
 def measured(chosen: list[Job], end: float, report: "Report | None" = None
              ) -> tuple[list[tuple[Study, Record]], list[Problem], int]:
     """Each job with its share of what time is left; an interruption keeps what is done."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
     warm()
 
     done: list[tuple[Study, Record]] = []
-    drawing = 0.3 if report else 0.0  # s that the pictures of a record take
+    beyond = 0.3 if report else 0.0  # s that a job takes beyond its share: first rungs that are dear, pictures
     problems: list[Problem] = []
-    bar = Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
-                   console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty())
     try:
-        with bar:
-            task = bar.add_task("", total=len(chosen))
+        with progress(len(chosen)) as tell:
             for i, job in enumerate(chosen):
                 words = ", ".join(filter(None, (job.found.id, job.case, "" if job.where == "CPU" else job.where)))
-                bar.update(task, description=words)
-                left = end - perf_counter()
-                if i and left <= drawing:
+                tell(i, words)
+                start = perf_counter()
+                left = end - start
+                if i and left <= beyond:
                     skipped = len(chosen) - i
                     problems.append(Problem(f"the budget was up before {skipped} of {len(chosen)} studies began, from "
                                             f"{words} on; name topics, or give more with --budget."))
                     break
-                share = max(left / (len(chosen) - i) - drawing, 0.0)
+                share = max(left / (len(chosen) - i) - beyond, 0.0)
                 try:
                     record = record_of(job, share)
                 except Problem as problem:
                     problems.append(problem)
                     continue
                 if report:
-                    start = perf_counter()
                     report.add(job.study, record)
-                    drawing = 0.5 * (drawing + perf_counter() - start)
+                beyond = 0.5 * (beyond + max(perf_counter() - start - share, 0.0))
                 done.append((job.study, record))
-                bar.advance(task)
     except KeyboardInterrupt:
+        problems.append(Problem(f"interrupted: {len(done)} of {len(chosen)} studies are done, and kept."))
         return done, problems, INTERRUPTED
     return done, problems, 0
 
@@ -149,12 +144,12 @@ def record_of(job: Job, budget: float) -> Record:
 
 
 def tell(records: list[Record], machine: dict, as_json: bool) -> None:
-    from app.study.table import table
+    from app.study.table import table, width
 
     if as_json:
         print(text(records, machine))
     else:
-        print("\n\n".join(table(record) for record in records))
+        print("\n\n".join(table(record, width()) for record in records))
 
 
 def text(records: list[Record], machine: dict) -> str:

@@ -21,11 +21,13 @@ VISIBLE = 380.0, 780.0  # nm
 class Integral:
     def __init__(self, study: Study, values: dict):
         self.study, self.values = study, values
-        self.v = direction(values.get("theta_v", 0.0), 0.0)
+        self.theta_v = float(values[study.eye]) if study.eye in values else 0.0
+        self.v = direction(self.theta_v, 0.0)
         self.evaluations = 0
         self.maps: dict[str, Callable[[np.ndarray, np.ndarray], np.ndarray]] = {
             "directions": {"uniform": self.uniform, "cosine": self.cosine, "angles": self.angles,
-                           "importance": self.importance, "half": self.half, "mirror": self.mirror},
+                           "importance": self.importance, "both": self.both, "half": self.half,
+                           "mirror": self.mirror},
             "halfways": {"uniform": self.uniform, "cosine": self.cosine, "angles": self.angles,
                          "half": self.half_itself},
             "sphere": {"uniform": self.whole}, "angles": {"uniform": self.whole, "angles": self.whole_angles},
@@ -35,6 +37,8 @@ class Integral:
         """The product of the twins."""
         name, some = next(iter(swept.items()))
         self.evaluations += np.size(some) // (3 if name in ("l", "h", "towards") else 1)
+        if name == "h" and any("theta_h" in arguments(term.function) for term in self.study.integrand):
+            swept["theta_h"] = np.arctan2(np.hypot(some[..., 0], some[..., 1]), some[..., 2])
         value = np.ones(())
         for term in self.study.integrand:
             value = value * evaluate(term, self.values, **swept)
@@ -69,6 +73,21 @@ class Integral:
         else:
             l = self.mirrored(drawn)
             pdf = self.called(f"pdf_{self.study.sampler}", n=NORMAL, l=l, v=self.v)
+        return self.weighed(l, pdf)
+
+    def both(self, s, t):
+        """Half of the samples as `importance`, half by the cosine; each weighs 1 over the mean of both densities."""
+        lobe = s < 0.5
+        drawn = self.mirrored(self.called(f"sample_{self.study.sampler}", xi_1=2 * s[lobe], xi_2=t[lobe]))
+        u = 2 * s[~lobe] - 1
+        l = np.concatenate([drawn, turned(np.sqrt(1 - u), np.sqrt(u), t[~lobe])])
+        pdf = self.called(f"pdf_{self.study.sampler}", n=NORMAL, l=l, v=self.v)
+        found = np.empty(len(s))
+        found[np.concatenate([np.nonzero(lobe)[0], np.nonzero(~lobe)[0]])] = self.weighed(
+            l, 0.5 * (pdf + np.maximum(l[:, 2], 0) / pi))
+        return found
+
+    def weighed(self, l, pdf):
         good = (l[:, 2] > 0) & (pdf > 0)
         return np.where(good, self.above(l) * l[:, 2] / np.where(good, pdf, 1), 0.0)
 
@@ -103,7 +122,9 @@ class Integral:
     def wide(self) -> float:
         """How wide the lobe is, in tan a or rad."""
         given = self.study.width
-        return float(self.values[given] if isinstance(given, str) else evaluate(given, self.values))
+        if isinstance(given, Term):
+            return float(evaluate(given, self.values))
+        return float(self.values[given] if isinstance(given, str) else given)
 
     def mirrored(self, h):
         return 2 * (h @ self.v)[:, None] * h - self.v
@@ -116,6 +137,7 @@ class Integral:
     def called(self, name: str, **swept):
         names = arguments(name)
         same = {k: v for k, v in self.study.integrand[0].args.items() if k in names}  # it is drawn as it is integrated
+        same |= {k: self.wide for k in names if k in ("m", "alpha")}
         return twin(name)(**bound(Term(name, same), self.values, **{k: v for k, v in swept.items() if k in names}))
 
     # --- the sphere and the spectrum ---------------------------------------------------------------------------------

@@ -1,9 +1,10 @@
 """The clock of a study: every method climbs its ladder, in turns, within a budget of time.
 
-First the methods go up, always the one whose next rung costs least, so that all come about as far in time; each rung is
-run for every angle and, where it is random, for several seeds, which gives its error. What is left of the budget goes
-into further times of all points in turn, so that what disturbs the machine disturbs all. The first run of each method
-warms it up and does not count.
+First the methods go up, always the one whose next rung costs least, so that all come about as far in time; each climbs
+at least one. Who is exact to the last digits or does not find the lobe at all stops, and leaves its time to others.
+Each rung is run for every angle and, where it is random, for several seeds, which gives its error. What is left of the
+budget goes into further times of all points in turn, so that what disturbs the machine disturbs all. The first run of
+each method warms it up and does not count.
 """
 
 import itertools
@@ -17,13 +18,15 @@ from app.lesson import Method, Study, Term
 from app.plots.ticks import number
 from app.quantities import TABLE, entered
 from app.spoken import plain
-from app.study.record import Line, Point, Record
+from app.study.record import ENOUGH, Line, Point, Record, unnoticed
 from app.study.rules import estimate, is_random, ladder
 from app.terms import evaluate
 
 REPEATS = 5
+ADAPTIVE = 0.03  # s that an adaptive rule may take before it says anything
 CLIMB = 0.75  # of the budget; the rest is for more times of each point
-ENOUGH = 3e-15  # below this error a method need not climb on
+ROUNDING = 1e-12  # a method need not climb on where three rungs are below this
+LOST, MANY = 0.5, 16384  # nor where three are above, the last with so many samples
 Report = Callable[[], None]
 
 
@@ -35,6 +38,7 @@ class Climber:
     line: Line
     rungs: list[int]
     seeds: int
+    names: list[str]  # of the angles, where there are several
     spent: float = 0.0
     points: list[Point] = field(default_factory=list)
 
@@ -49,18 +53,23 @@ def measure(study: Study, values: dict, budget: float, seeds: int = 0, step: str
     angles = [seen(values | given) for given in worst(study)]
     exact = [reference(study, given) for given in angles]
     named = {words(given): value for given, value in zip(worst(study), exact, strict=True)}
-    climbers = [climber(study, method, seeds or max(4, 8 // len(angles))) for method in study.methods]
+    names = list(named) if len(named) > 1 else [""] * len(angles)
+    seeds = seeds or max(4, 8 // len(angles))
+    climbers = [climber(study, method, seeds, names) for method in study.methods]
     record = Record(step, study.title, case, {k: v for k, v in values.items() if isinstance(v, int | float)}, named,
-                    [one.line for one in climbers], seeds=seeds or max(4, 8 // len(angles)), why=study.why)
+                    [one.line for one in climbers], seeds=seeds, why=study.why, without=study.without)
     for one in climbers:
-        estimate(study, one.method, angles[0], one.rungs[0], 0)
+        if not one.method.rule.startswith("cubature"):  # dear, and it calls what the others call
+            estimate(study, one.method, angles[0], one.rungs[0], 0)
     begin = perf_counter()
     end, climbing = begin + budget, begin + CLIMB * budget
     while alive := [one for one in climbers if one.alive]:
         one = min(alive, key=lambda one: expected(one, len(angles)))
-        if one.points and perf_counter() + expected(one, len(angles)) > climbing:
+        if perf_counter() + expected(one, len(angles)) > climbing:
             for late in alive:
-                late.line.stopped = "the time was up"
+                if not late.points:
+                    climb(late, study, angles, exact)
+                late.line.stopped = late.line.stopped or "the time was up"
             break
         climb(one, study, angles, exact)
         report()
@@ -69,17 +78,17 @@ def measure(study: Study, values: dict, budget: float, seeds: int = 0, step: str
     return record
 
 
-def climber(study: Study, method: Method, seeds: int) -> Climber:
+def climber(study: Study, method: Method, seeds: int, names: list[str]) -> Climber:
     own = is_random(method)
     same = isinstance(study.exact, Term) and method.term == study.exact and not method.cost
     line = Line(method.label, reference=same, random=own)
-    return Climber(method, line, list(ladder(method, study.over == "wavelengths")), seeds if own else 1)
+    return Climber(method, line, list(ladder(method, study.over == "wavelengths")), seeds if own else 1, names)
 
 
 def expected(one: Climber, angles: int) -> float:
     """How long the next rung takes, by the last two."""
-    if not one.points:
-        return 0.0
+    if not one.points:  # each has one, however little time there is
+        return ADAPTIVE * angles if "cubature" in one.method.rule else 0.0
     last = one.points[-1]
     grown = 4.0 if one.method.cost == "level" or "cubature" in one.method.rule else one.rungs[0] / max(last.rung, 1)
     if len(one.points) > 1 and "cubature" not in one.method.rule:
@@ -90,29 +99,51 @@ def expected(one: Climber, angles: int) -> float:
 def climb(one: Climber, study: Study, angles: list[dict], exact: list[float]) -> None:
     """The next rung: its error over angles and seeds, and its times."""
     rung = one.rungs.pop(0)
-    errors, times, claims, said, samples = [], [], [], "", 0
-    for given, right in zip(angles, exact, strict=True):
-        found = []
+    errors, times, told, samples = [], [], [], 0
+    for given, right, name in zip(angles, exact, one.names, strict=True):
+        off = []
         for seed in range(one.seeds):
             start = perf_counter()
             with np.errstate(all="ignore"):
                 now = estimate(study, one.method, given, rung, seed)
             times.append(perf_counter() - start)
-            found.append(now.value)
-            samples = now.samples
+            off.append(abs(now.value / right - 1))
+            samples = max(samples, now.samples)
             if now.claim is not None:
-                claims.append(now.claim)
-            said = now.said if said != "not_converged" else said
-        errors.append(float(np.sqrt(np.mean(((np.array(found) - right) / right) ** 2))))
+                told.append((off[-1], now.claim, now.said, name))
+        errors.append(float(np.sqrt(np.mean(np.square(off)))))
     error = max(errors) if np.isfinite(errors).all() else np.inf
-    claim = max(claims) if claims else None
-    if one.points and samples == one.points[-1].samples:  # it had stopped there already, and would claim even more
-        one.points[-1].claim, one.points[-1].said = claim, said
+    if one.points and samples == one.points[-1].samples and told:  # it had stopped there, and would only claim more
         return
-    one.points.append(Point(rung, samples, error, times, claim, said))
-    one.line.points.append(one.points[-1])
-    if error < ENOUGH and not one.line.random:
-        one.line.stopped = "nothing left to gain"
+    point = Point(rung, samples, error, times, *said(told, samples))
+    one.points.append(point)
+    one.line.points.append(point)
+    one.line.stopped = verdict(one)
+
+
+def said(told: list[tuple], samples: int) -> tuple:
+    """What a method says of itself at a rung: of its estimates the one that fails silently and is most wrong, else the
+    most careful. Each is judged by itself: one angle's "not converged" does not excuse another's "converged"."""
+    if not told:
+        return ()
+    failed = [one for one in told if unnoticed(one[0], one[1], one[2], samples)]
+    if failed:
+        off, claim, words, name = max(failed)
+        return claim, words, off, name
+    unsure = [words for _, _, words, _ in told if words == "not_converged"]
+    return max(claim for _, claim, _, _ in told), unsure[0] if unsure else told[0][2]
+
+
+def verdict(one: Climber) -> str:
+    """Why there is no use in climbing on; nothing where there is."""
+    errors = [point.error for point in one.points]
+    if errors[-1] < ENOUGH:
+        return "nothing left to gain"
+    if not one.line.random and len(errors) > 2 and max(errors[-3:]) < ROUNDING:
+        return "nothing left but rounding"
+    if len(errors) > 2 and min(errors[-3:]) > LOST and one.points[-1].samples >= MANY:
+        return "it does not find it"
+    return ""
 
 
 def again(climbers: list[Climber], study: Study, angles: list[dict], end: float, report: Report) -> None:
@@ -137,6 +168,10 @@ def seen(values: dict) -> dict:
 def reference(study: Study, values: dict) -> float:
     if isinstance(study.exact, float):
         return study.exact
+    if isinstance(study.exact, str):
+        return float(values[study.exact])
+    if isinstance(study.exact, tuple):
+        return sum(float(evaluate(term, values)) for term in study.exact)
     if isinstance(study.exact, Method):
         return estimate(study, study.exact, values, study.exact.ladder[0], 0).value
     return float(evaluate(study.exact, values))

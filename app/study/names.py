@@ -3,13 +3,14 @@
 from app.lesson import Method, Study, Term
 from app.optics import arguments
 
-SWEPT = {"directions": {"n", "l", "v"}, "halfways": {"n", "h"}, "sphere": {"towards"}, "angles": {"theta", "phi"},
-         "wavelengths": {"wavelength"}}
+SWEPT = {"directions": {"n", "l", "v"}, "halfways": {"n", "h", "theta_h"}, "sphere": {"towards"},
+         "angles": {"theta", "phi"}, "wavelengths": {"wavelength"}}
 
 
 def terms(study: Study) -> tuple[Term, ...]:
     """Every twin it calls."""
-    given = (study.exact, *study.methods, study.width)
+    exact = study.exact if isinstance(study.exact, tuple) else (study.exact,)
+    given = (*exact, *study.methods, study.width)
     found = [one.term if isinstance(one, Method) else one for one in given]
     return (*study.integrand, *(term for term in found if isinstance(term, Term)))
 
@@ -21,8 +22,8 @@ def swept(study: Study) -> frozenset[str]:
 
 def inputs(study: Study) -> frozenset[str]:
     """The values it depends on: not those that a method sets itself, as a cost, a seed or its kind."""
-    found = {study.width} if isinstance(study.width, str) and study.width else set()
+    found = {name for name in (study.width, study.exact) if isinstance(name, str) and name}
     for term in terms(study):  # a sampler draws from what is integrated, with its arguments
         given = [term.args.get(name, name) for name in arguments(term.function)]
         found |= {name for name in given if isinstance(name, str)}
-    return frozenset((found | {"theta_v"} if found & {"v", "n_dot_v"} else found) - swept(study))
+    return frozenset((found | {study.eye} if study.eye and found & {"v", "n_dot_v"} else found) - swept(study))

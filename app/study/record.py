@@ -7,10 +7,18 @@ from itertools import takewhile
 import numpy as np
 
 LEAST = 1e-16  # errors below are drawn there: no number in float64 can show less
+ENOUGH = 3e-15  # errors below are nothing
 TOLERANCES = (1e-2, 1e-3, 1e-6)
 TOO_SURE = 10.0  # an error this many times above what a method says of itself is a silent failure
 
 FEW = 256  # samples; fewer that all miss surprise nobody
+
+
+def unnoticed(error: float, claim: float | None, said: str, samples: int) -> bool:
+    """Whether one estimate is wrong and does not know: it says converged, or that its error is nothing."""
+    if claim is None or said == "not_converged" or error <= 1e-3:
+        return False
+    return error > TOO_SURE * claim and (bool(said) or (claim < 1e-9 and samples >= FEW))
 
 
 @dataclass
@@ -23,6 +31,8 @@ class Point:
     times: list[float] = field(default_factory=list)  # s, one evaluation each
     claim: float | None = None  # the error the method says it has
     said: str = ""
+    off: float | None = None  # of the estimate that says so, where one of several fails silently
+    at: str = ""  # the angle of that estimate, where there are several
 
     @property
     def time(self) -> float:
@@ -36,16 +46,18 @@ class Point:
 
     @property
     def silent(self) -> bool:
-        """Wrong, and it does not know: it says converged, or that its error is small."""
-        if self.claim is None or self.said == "not_converged" or not self.error > 1e-3:
-            return False
-        return self.error > TOO_SURE * self.claim and (bool(self.said) or (self.claim < 1e-9 and self.samples >= FEW))
+        """Wrong, and it does not know. One estimate of several is enough: the others do not make it right."""
+        return unnoticed(self.wrong, self.claim, self.said, self.samples)
+
+    @property
+    def wrong(self) -> float:
+        return self.error if self.off is None else self.off
 
     @property
     def words(self) -> str:
         """How it fails, in a few words."""
         how = self.said.replace("_", " ") or "standard error 0"
-        return f"{how}, but {percent(self.error)} off"
+        return f"{how}, but {percent(self.wrong)} off" + (f" at {self.at}" if self.at else "")
 
 
 @dataclass
@@ -74,6 +86,16 @@ class Line:
         return slope(*np.log(np.array(seen)).T)
 
     @property
+    def exponential(self) -> bool:
+        """Whether the error falls as r^sqrt(N), N being k x k, rather than as a power: that line lies nearer."""
+        seen = [(p.samples, p.error) for p in self.points if 1e-13 < p.error < 0.9]
+        if len(seen) < 4 or self.random or self.order is None or self.order[0] < 2:
+            return False
+        n, error = np.array(seen, float).T
+        (_, as_power), (_, as_exponent) = slope(np.log(n), np.log(error)), slope(np.sqrt(n), np.log(error))
+        return bool(as_exponent * np.std(np.sqrt(n)) < as_power * np.std(np.log(n)))
+
+    @property
     def silent(self) -> list[Point]:
         return [point for point in self.points if point.silent]
 
@@ -92,6 +114,7 @@ class Record:
     seeds: int = 1
     where: str = "CPU"
     why: str = ""
+    without: dict[str, str] = field(default_factory=dict)  # methods that are left out, and why
 
     def winner(self, tolerance: float) -> tuple[Line, Point] | None:
         """The method that is there first; the reference does not compete, it is what the others are measured by."""

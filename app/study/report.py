@@ -35,11 +35,13 @@ class Report:
     def __init__(self, folder: Path):
         self.folder = folder
         self.parts: list[str] = []
+        self.counts: dict[str, int] = {}  # of a step's records
         self.outline: dict[str, list[str]] = {}  # the links to its cases, by a study's title
 
     def add(self, study: Study, record: Record) -> None:
         links = self.outline.setdefault(record.title, [])
-        file, number, shots = f"{record.step.replace('/', '_')}-{len(links) + 1}", len(self.parts), {}
+        self.counts[record.step] = self.counts.get(record.step, 0) + 1
+        file, number, shots = f"{record.step.replace('/', '_')}-{self.counts[record.step]}", len(self.parts), {}
         for theme, tail in (("light", ""), ("dark", "-dark")):
             shots[theme] = png(whole(study, record, SIZE, THEMES[theme]))
             target.write(self.folder / f"{file}{tail}.png", shots[theme])
@@ -65,10 +67,20 @@ def section(number: int, title: str, record: Record, shots: dict[str, bytes]) ->
 <p class="idea">{escape(record.case)}</p>
 <picture><source media="(prefers-color-scheme: dark)" srcset="{uris['dark']}">
 <img src="{uris['light']}" width="{SIZE[0]}" height="{SIZE[1]}" alt="{alt}"></picture>
-<p>{escape(wins(record)[0].upper() + wins(record)[1:])}</p>
+<p>{escape(wins(record)[0].upper() + wins(record)[1:])} {escape(record.why)}</p>
 <div class="wide">{table(record)}</div>
+{left_out(record)}
 </section>
 """
+
+
+def left_out(record: Record) -> str:
+    """The methods of the course that are of no use here, by reason."""
+    by_reason: dict[str, list[str]] = {}
+    for kind, reason in record.without.items():
+        by_reason.setdefault(reason, []).append(kind)
+    words = "; ".join(f"{', '.join(kinds)}, since {reason}" for reason, kinds in by_reason.items())
+    return f'<p class="small">Left out: {escape(words)}.</p>' if words else ""
 
 
 def table(record: Record) -> str:

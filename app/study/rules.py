@@ -8,6 +8,7 @@ import numpy as np
 from app.lesson import Method, Study, Term
 from app.problem import Problem, near
 from app.study.integrals import Integral
+from app.study.pieces import by_pieces
 from app.study.points import LINE, RANDOM, SQUARE
 from app.terms import evaluate
 
@@ -15,7 +16,8 @@ LEBEDEV = (3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31, 35, 41, 47, 5
            113, 119, 125, 131)  # the orders there are
 POWERS = tuple(4**k for k in range(1, 10))
 SPECIAL = {"lebedev": (5, 9, 15, 23, 35, 53, 83, 131), "cubature": (2, 3, 4, 6, 8, 10, 12),
-           "semi-analytic": (2, 3, 4, 6, 8, 12, 16, 20), "segments": (80, 160, 240, 320),
+           "semi-analytic": (2, 3, 4, 6, 8, 12, 16, 20), "pieces": (1, 2, 3, 4, 6, 8, 12, 16),
+           "segments": (80, 160, 240, 320),
            "gauss": (16, 64, 256, 1024, 4096, 16384, 65536), "laguerre": (8, 16, 32, 128, 512, 2048)}
 MOST_PIECES = 120  # that the adaptive rule may cut; each costs up to 441 evaluations in two dimensions
 
@@ -59,6 +61,8 @@ def estimate(study: Study, method: Method, values: dict, rung: int, seed: int) -
     integral = Integral(study, values)
     if kind == "lebedev":
         return lebedev(integral, rung)
+    if kind == "pieces":
+        return Estimate(by_pieces(integral, rung), integral.evaluations)
     known = integral.maps
     if way not in known:
         raise Problem(f"the study {study.title!r}: {method.rule!r} has no map {way or '(none)'}.{near(way, known)}")

@@ -5,11 +5,8 @@ import argparse
 
 def run(options: argparse.Namespace) -> int:
     """Open the window at a state, or at the first picture; without a display on GLFW's null platform."""
-    from imgui_bundle import immapp
-
     from app import locale_alias
-    from app.viewer import glfw
-    from app.viewer.parameters import parameters
+    from app.viewer.parameters import open_window, parameters
     from app.viewer.window import Window
 
     formulas = locale_alias.ensure()
@@ -23,9 +20,5 @@ def run(options: argparse.Namespace) -> int:
     )
     if formulas == "missing":
         window.message = "Formulas cannot be typeset here: run `halfway doctor`, it prints the command that mends it."
-    params, add_ons = parameters(window)
-    if not glfw.has_display():
-        glfw.without_display()
-    glfw.without_depth()
-    immapp.run(params, add_ons)
+    open_window(*parameters(window))
     return 0

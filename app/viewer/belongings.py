@@ -12,6 +12,7 @@ from app.catalog import BOARD, LoadedStep
 from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
+from app.gpu.watch import watch
 from app.ies import Photometry, read
 from app.lesson import Scene
 from app.meshes import Mesh, built_in, load
@@ -34,6 +35,8 @@ class Belongings:
         self.fault = ""  # why this step has no picture
         self.tried: tuple = ()  # the step and the texts that were compiled last
         self.wrong = ""  # what is wrong with the user's texts
+        self.stuck = ""  # the loop of theirs that does not end at the present values
+        self.watched: tuple = ()  # the texts and the values for which that was asked
 
     @property
     def data(self) -> dict[str, np.ndarray]:
@@ -42,6 +45,16 @@ class Belongings:
             return self.tables
         own = self.mesh is not None and self.triangles is self.mesh.triangles
         return {**self.tables, **(self.mesh.data if own and self.mesh else {"triangles": self.triangles})}
+
+    @property
+    def trouble(self) -> str:
+        """What is wrong with the user's texts, as typed or at the present values."""
+        return self.wrong or self.stuck
+
+    @property
+    def no_picture(self) -> str:
+        """Why there is none."""
+        return self.fault or self.stuck
 
     # --- files -------------------------------------------------------------------------------------------------------
     def take_file(self, path: str) -> None:
@@ -134,6 +147,7 @@ class Belongings:
         if wanted != self.placed:
             self.place_anew(found, wanted)
         self.write()
+        self.watch()
 
     def place_anew(self, found: LoadedStep, wanted: tuple) -> None:
         shape = wanted[1]
@@ -149,7 +163,7 @@ class Belongings:
                 scene.drawn = None
             else:
                 self.tried = ()
-                scene.show(Stage(self.app.ctx, self.source, self.triangles))
+                scene.show(Stage(self.app.ctx, self.source, self.triangles, self.app.session.values | self.tables))
         except Problem as problem:
             self.fault = str(problem)
         self.app.ctx.screen.use()
@@ -165,7 +179,7 @@ class Belongings:
         try:
             for name, text in texts.items():
                 edit.check(text, known[name])
-            stage.rewrite(edit.overrides(texts, known, self.source))
+            stage.rewrite(edit.overrides(texts, known, self.source), lambda: self.try_out(stage))
             for function, overrides in edit.twins(found, texts):
                 compiled(function, overrides, self.app.ctx)
         except Problem as problem:
@@ -173,4 +187,23 @@ class Belongings:
         else:
             session.run(texts)
             self.app.scene.drawn = None
+        self.app.ctx.screen.use()
+
+    def watch(self) -> None:
+        """Whether the loops of the texts that run end, asked again when something has changed."""
+        session, stage = self.app.session, self.app.scene.stage
+        if stage is None or not (stage.source.overrides or stage.scene.texts):
+            self.stuck, self.watched = "", ()
+            return
+        now = session.current.id, session.revision, stage.source, *map(id, self.data.values())
+        if now == self.watched:
+            return
+        self.watched, self.stuck = now, ""
+        try:
+            self.try_out(stage)
+        except Problem as problem:
+            self.stuck = str(problem)
+
+    def try_out(self, stage: Stage) -> None:
+        watch(stage, self.app.values, self.app.session.view.camera(stage.scene.camera))
         self.app.ctx.screen.use()

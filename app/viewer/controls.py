@@ -1,6 +1,5 @@
 """The sliders under the scene: dragged, typed (Ctrl+click), reset (double click); a tool-tip says what each means."""
 
-import math
 from collections.abc import Iterable
 
 from imgui_bundle import imgui
@@ -8,8 +7,9 @@ from imgui_bundle import imgui
 from app.catalog import ValueSpec
 from app.lesson import Number
 from app.spoken import said, words
-from app.typed import digits
+from app.typed import digits, places
 from app.viewer import style
+from app.viewer.cut import on_a_line
 
 LABEL = 9.5  # em: at most
 BOUNDED = imgui.SliderFlags_.always_clamp
@@ -69,12 +69,13 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
     return found
 
 
-def row(app, spec: ValueSpec, width: float) -> None:
+def row(app, spec: ValueSpec, width: float, left_free: float = 1.0) -> None:
+    """A label, `width` wide, and the slider in the rest of the line but for what is left free."""
     imgui.align_text_to_frame_padding()
-    imgui.text(label(spec))
+    on_a_line(label(spec), width - 0.4 * imgui.get_font_size())
     tool_tip(spec)
     imgui.same_line(width)
-    imgui.set_next_item_width(-1)
+    imgui.set_next_item_width(-left_free)
     value = app.session.values[spec.name]
     changed, new = choice(spec, value) if spec.choices else slider(spec, value)
     if imgui.is_item_activated():
@@ -109,8 +110,8 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
     flags = BOUNDED | (imgui.SliderFlags_.logarithmic if spec.scale == "log" else 0)
     low, high = (float(spec.quantity.shown(x)) for x in (spec.low, spec.high))  # type: ignore[arg-type]
     unit = spec.quantity.screen_unit
-    label, form = f"##{spec.name}", f"%.{places(spec, low, high)}" + (unit if unit in ("", "°") else f" {unit}")
     now = spec.quantity.shown(value)
+    label, form = f"##{spec.name}", f"%.{places(spec, now)}" + (unit if unit in ("", "°") else f" {unit}")
     if spec.quantity.kind == "int":
         return imgui.slider_int(label, int(now), int(low), int(high), "%d", flags)  # type: ignore[arg-type]
     if spec.quantity.kind == "color" and isinstance(now, tuple):
@@ -122,14 +123,6 @@ def slider(spec: ValueSpec, value: Number) -> tuple[bool, Number]:
         return changed, inside(spec, tuple(numbers))
     changed, number = imgui.slider_float(label, now, low, high, form, flags)
     return changed, inside(spec, number)
-
-
-def places(spec: ValueSpec, low: float, high: float) -> str:
-    if spec.scale == "log" and (high / low > 1e3 or low < 0.01):
-        return f"{max(3, math.ceil(-math.log10(low)))}g"  # a logarithmic slider ends at 10^-digits, whatever its low is
-    if low >= 100:
-        return "0f"
-    return "1f" if spec.quantity.is_angle else "2f" if high - low > 0.5 else "3f"
 
 
 def inside(spec: ValueSpec, value: Number) -> Number:

@@ -32,7 +32,7 @@ class Cover:
         pixels = int(size.x * scale.x), int(size.y * scale.y)
         self.stage.draw({}, turned, pixels, self.app.theme, counted=False)
         self.app.ctx.screen.use()
-        texture = self.stage.part("picture", False)
+        texture = self.stage.picture.texture
         imgui.image(imgui.ImTextureRef(texture.glo), size, uv0=ImVec2(-ASIDE, 1), uv1=ImVec2(1 - ASIDE, 0))
 
     def release(self) -> None:

@@ -7,6 +7,7 @@ from imgui_bundle import ImVec2, imgui
 from app import edit, own_models
 from app.edit import SCENE, Function
 from app.problem import Problem
+from app.terms import whose
 from app.viewer import style
 from app.viewer.code_editor import CodeEditor
 
@@ -73,7 +74,7 @@ class EditorPanel:
             self.of, self.widget = (session.current.id, name), CodeEditor(session.text(name), on_change=self.typed)
             self.widget.focus()
         self.widget.set(session.text(name))
-        wrong = self.app.own.wrong
+        wrong = self.app.own.trouble
         self.widget.mark(edit.complaints(wrong, name), self.app.theme)
         room = imgui.get_content_region_avail()
         self.widget.draw("code", ImVec2(0, min(self.widget.height(room.x), MOST * room.y)), self.app.theme)
@@ -115,6 +116,8 @@ class EditorPanel:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("v", theme)))
             imgui.text_wrapped("Your text runs, and all that is yours follows it.")
             imgui.pop_style_color()
+            if any(whose(model.term, self.app.values) == "measured" for model in session.current.step.models):
+                quiet("A measurement is a table, with no text that could be edited: it stays.")
         else:
             quiet("The course's text. Type, and the picture follows.")
 

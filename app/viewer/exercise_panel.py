@@ -187,7 +187,7 @@ class ExercisePanel:
         """Whether the scene is drawn by it; if not, where it would be."""
         app = self.app
         if self.is_drawn:
-            wrong = app.own.wrong
+            wrong = app.own.trouble
             ink = style.ink("r", app.theme) if wrong else colour("quiet", app.theme)
             imgui.push_style_color(imgui.Col_.text, style.vec(ink))
             imgui.text_wrapped("The picture shows your last text that ran." if wrong else
@@ -206,8 +206,8 @@ class ExercisePanel:
 
     def faults(self, exercise: Exercise, shown, text: str) -> list[tuple[int, str]]:
         """The lines that the compiler of the scene complains of, else those that the checks name."""
-        if self.is_drawn and self.app.own.wrong:
-            return edit.complaints(self.app.own.wrong, exercise.function)
+        if self.is_drawn and self.app.own.trouble:
+            return edit.complaints(self.app.own.trouble, exercise.function)
         return verdicts_view.faults(shown) if shown and shown.text == text else []
 
     def buttons(self, name: str, language: Language) -> None:

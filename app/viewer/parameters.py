@@ -2,7 +2,7 @@
 
 from imgui_bundle import hello_imgui, immapp, rich_md
 
-from app.viewer import style
+from app.viewer import glfw, style
 from app.viewer.window import Window
 
 
@@ -33,3 +33,11 @@ def parameters(window: Window) -> tuple[hello_imgui.RunnerParams, immapp.AddOnsP
     add_ons = immapp.AddOnsParams()
     add_ons.with_markdown_options = markdown
     return params, add_ons
+
+
+def open_window(params: hello_imgui.RunnerParams, add_ons: immapp.AddOnsParams) -> None:
+    """Until it is closed; without a display on GLFW's null platform."""
+    if not glfw.has_display():
+        glfw.without_display()
+    glfw.without_depth()
+    immapp.run(params, add_ons)

@@ -214,8 +214,8 @@ class Presenter(Window):
     def scene_area(self) -> None:
         if self.detail and not self.talk.hands:
             self.scene_column()
-        elif self.own.fault:
-            imgui.text_wrapped(self.own.fault)
+        elif self.own.no_picture:
+            imgui.text_wrapped(self.own.no_picture)
         else:
             self.scene.draw(self.values, self.session.view, self.theme, imgui.get_content_region_avail())
 
@@ -265,14 +265,9 @@ def prepared(window: Presenter):
 
 def run(window: Presenter) -> int:
     """Open it, with a window more for the lecturer."""
-    from imgui_bundle import immapp
-
     from app import locale_alias
+    from app.viewer.parameters import open_window
 
     locale_alias.ensure()
-    params, add_ons = prepared(window)
-    if not glfw.has_display():
-        glfw.without_display()
-    glfw.without_depth()
-    immapp.run(params, add_ons)
+    open_window(*prepared(window))
     return 0

@@ -8,6 +8,7 @@ from imgui_bundle import imgui, imgui_microtex, rich_md
 from app.lesson import Step
 from app.prose import FORMULA, for_screen
 from app.theme import THEMES, Theme, colour
+from app.typed import finer
 from app.viewer import break_panel, exercise_panel, style
 
 MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
@@ -127,7 +128,7 @@ def guess(app, step: Step) -> None:
         now,
         ask.low,
         ask.high,
-        f"%.{0 if ask.high >= 1e3 else 2 if ask.high > 0.5 else 3}f {ask.unit}",
+        f"%.{finer(now, 0 if ask.high >= 1e3 else 2 if ask.high > 0.5 else 3)} {ask.unit}",
         flags,
     )
     if changed:

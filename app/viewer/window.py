@@ -184,11 +184,11 @@ class Window:
         room = imgui.get_content_region_avail()
         below = controls.height(self.session.current.below, room.x)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
-        if self.own.fault:
+        if self.own.no_picture:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
             imgui.begin_child("fault", picture, imgui.ChildFlags_.always_use_window_padding)
             imgui.dummy(ImVec2(0, 0.3 * picture.y))
-            imgui.text_wrapped("This picture cannot be drawn.\n" + self.own.fault)
+            imgui.text_wrapped("This picture cannot be drawn.\n" + self.own.no_picture)
             imgui.end_child()
             imgui.pop_style_color()
         else:

@@ -40,7 +40,8 @@ float amount(vec3 f) {
 
 float lobe_value(int which, vec3 d) {
     vec3 l = light_direction(theta_l, phi);
-    float f = amount(reflected(which, UP, l, d, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)));
+    vec3 x = picked_tangent(theta_v, turned);
+    float f = amount(reflected(which, UP, l, d, x, cross(UP, x)));
     return lobe_scale == 1 ? f * l.z : f;
 }
 
@@ -102,7 +103,7 @@ vec3 taken_apart(int which, vec3 n, vec3 l, vec3 v) {
 }
 
 vec3 lit(int which, vec3 n, vec3 l, vec3 v) {
-    vec3 x = normalize(cross(up(), n) + 1e-5 * aside()), f = reflected(which, n, l, v, x, cross(n, x));
+    vec3 x = ball_tangent(n), f = reflected(which, n, l, v, x, cross(n, x));
     float n_dot_l = max(dot(n, l), 0.0);
     if (shows >= 12) return decades(amount(f) * (shows == 13 ? n_dot_l : 1.0), -3.0, 2.0);
     vec3 radiance = light * n_dot_l * (board_channel == 3 ? f : vec3(f[board_channel]));

@@ -12,3 +12,11 @@ mat3 picked_frame(float theta_v, float turned) {
 vec3 picked_light(float theta_l, float theta_v, float phi, float turned) {
     return picked_frame(theta_v, turned) * light_direction(theta_l, phi);
 }
+
+// What a file calls X: along growing azimuth about the upward direction, on everything round.
+vec3 ball_tangent(vec3 n) { return normalize(cross(up(), n) + 1e-5 * aside()); }
+
+// The same at the picked point, where n is +z and the eye above +x.
+vec3 picked_tangent(float theta_v, float turned) {
+    return normalize(vec3(-sin(turned), cos(theta_v) * cos(turned), 0.0));
+}

@@ -60,6 +60,11 @@ float f_conductor(float l_dot_h, float eta, float k) {
     return 0.5 * r_s * (1.0 + ratio);
 }
 
+float f_conductor_naive(float l_dot_h, float eta, float k) {
+    // Fresnel 1823 with the real part of the index alone, as if the metal were a glass
+    return f_dielectric(l_dot_h, eta);
+}
+
 float f_schlick(float l_dot_h, float f0) {
     // Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering
     float x = max(0.0, 1.0 - l_dot_h), x2 = x * x;

@@ -7,8 +7,14 @@ float map_pattern(float map_s, float map_t) {
     return clamp(0.5 + 5.0 * (abs(abs(q) - 1.0) - 2.0 / 3.0), 0.0, 1.0);
 }
 
+float plate_roughness(float map_s, float map_t) {
+    // Ours: the strokes of a cloth, and worn gold
+    float strokes = sin(2.0 * PI * (3.0 * map_s + 2.0 * map_t) + 2.0 * sin(4.0 * PI * map_t)), p = map_pattern(map_s, map_t);
+    return 0.30 + 0.12 * p + (0.13 + 0.07 * p) * strokes;
+}
+
 float stored_roughness(sampler2D roughness_map, float map_s, float map_t) {
-    // What the roughness map stores: a user's texels, bilinear; or strokes of a cloth, and worn gold
+    // What the roughness map stores: a user's texels, bilinear; or the plate's own
     if (texelFetch(roughness_map, ivec2(0), 0).a > 0.0) {
         ivec2 size = textureSize(roughness_map, 0);
         vec2 at = vec2(map_s, map_t) * vec2(size) - 0.5, part = at - floor(at);
@@ -18,8 +24,7 @@ float stored_roughness(sampler2D roughness_map, float map_s, float map_t) {
         vec2 across = mix(below, above, part.y);
         return mix(across.x, across.y, part.x);
     }
-    float strokes = sin(2.0 * PI * (3.0 * map_s + 2.0 * map_t) + 2.0 * sin(4.0 * PI * map_t)), p = map_pattern(map_s, map_t);
-    return 0.30 + 0.12 * p + (0.13 + 0.07 * p) * strokes;
+    return plate_roughness(map_s, map_t);
 }
 
 float roughness_as_srgb(sampler2D roughness_map, float map_s, float map_t) {

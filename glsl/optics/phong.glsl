@@ -28,9 +28,8 @@ float lobe_phong(vec3 n, vec3 l, vec3 v, float exponent) {
 }
 
 float lobe_phong_naive(vec3 n, vec3 l, vec3 v, float exponent) {
-    // The Phong Model (1), literally: the power of a number next to 1
-    float r_dot_v = dot(reflection_vector(n, l), v);
-    return r_dot_v > 0.0 ? pow(r_dot_v, exponent) : 0.0;
+    // The Phong Model (1), literally: the power of a number next to 1, or of one below 0, which is none
+    return pow(dot(reflection_vector(n, l), v), exponent);
 }
 
 float shading_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {

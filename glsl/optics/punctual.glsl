@@ -11,11 +11,24 @@ float irradiance_positional(float radiant_intensity, float distance, float theta
     return radiant_intensity / r * max(cos(theta), 0.0) / r;
 }
 
+float irradiance_positional_naive(float radiant_intensity, float distance, float theta, float source_radius) {
+    // Plausible Shading - Measuring Light: I cos / r^2, and the cosine is not stopped at 0
+    float r = max(distance, source_radius);
+    return radiant_intensity / r * cos(theta) / r;
+}
+
 float irradiance_at(vec3 position, vec3 normal, vec3 light_position, float radiant_intensity, float source_radius) {
     // Plausible Shading - Measuring Light: I n.l / r^2, r not below the source's radius; 0 behind the surface
     vec3 way = light_position - position;
     float d = length(way), r = max(d, source_radius);
     return d > 0.0 ? radiant_intensity / r * (max(dot(normal, way), 0.0) / d) / r : 0.0;
+}
+
+float irradiance_at_naive(vec3 position, vec3 normal, vec3 light_position, float radiant_intensity, float source_radius) {
+    // Plausible Shading - Measuring Light: the same, and the cosine is not stopped at 0
+    vec3 way = light_position - position;
+    float d = length(way), r = max(d, source_radius);
+    return d > 0.0 ? radiant_intensity / r * (dot(normal, way) / d) / r : 0.0;
 }
 
 float irradiance_directional(float irradiance_facing, float theta) {

@@ -71,6 +71,11 @@ float irradiance_disk(float radiance, float radius, float height, float offset) 
     return radiance * seen.x * seen.y;
 }
 
+float irradiance_disk_naive(float radiance, float radius, float height, float offset) {
+    // Howell, B-12, as printed: 1 less almost 1
+    return radiance * projected_solid_angle_disk_naive(radius, height, offset);
+}
+
 float irradiance_round_far(float radiance, float radius, float distance) {
     // Measuring Light: a round source as if it were a point
     float seen = radius / distance;

@@ -8,6 +8,12 @@ float lambda_beckmann_slope(float slope) {
     return exp(-a * a) * slope * t * t * q * 0.282094792; // 1 / (2 sqrt(pi))
 }
 
+float lambda_beckmann_slope_naive(float slope) {
+    // Walter et al. 2007, the fit, with a = m tan theta: its quotient read upside down
+    float a = max(slope, 1e-6);
+    return a < 1.6 ? (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a) : 0.0;
+}
+
 float lambda_beckmann(float n_dot_v, float m) {
     // Smith 1967
     float c = clamp(n_dot_v, 1e-30, 1.0);

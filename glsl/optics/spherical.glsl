@@ -39,6 +39,12 @@ vec3 fibonacci_direction(int index, int samples) {
     return vec3(r * cos(phi), r * sin(phi), 0.5 * (below - above) / n);
 }
 
+vec3 fibonacci_direction_naive(int index, int samples) {
+    // The same turns, in equal steps of the polar angle: too many near the poles, where the rings are small
+    float turn = float(int(uint(index) * 2654435769u)) / 4294967296.0, theta = PI * float(2 * index + 1) / float(2 * samples);
+    return direction(theta, 2.0 * PI * turn);
+}
+
 vec3 sphere_point(float s, float t) {
     // Solid Angles: the unit sphere over the unit square
     return direction(PI * t, 2.0 * PI * s);

@@ -7,6 +7,11 @@ float spot_linear(float off_axis, float hotspot, float falloff) {
     return clamp(above / (sin(0.5 * (falloff - hotspot)) * sin(0.5 * (falloff + hotspot))), 0.0, 1.0);
 }
 
+float spot_linear_naive(float off_axis, float hotspot, float falloff) {
+    // Spotlights (2), clamped, by the cosines; nobody asks whether the hotspot is inside the falloff
+    return clamp((cos(off_axis) - cos(falloff)) / (cos(hotspot) - cos(falloff)), 0.0, 1.0);
+}
+
 float spot_smooth(float off_axis, float hotspot, float falloff) {
     // Spotlights (2) with smoothstep: no crease where the zones meet, and the same flux
     float t = spot_linear(off_axis, hotspot, falloff);

@@ -48,6 +48,13 @@ float solid_angle_patch_counted(float theta, float phi, float distance, float ti
     return 4.0 * PI * hits / float(samples);
 }
 
+float solid_angle_patch_counted_naive(float theta, float phi, float distance, float tilt, float width, int samples) {
+    // Solid Angles, without sin theta: directions in equal steps of the polar angle
+    float hits = 0.0;
+    for (int i = 0; i < samples; i++) hits += meets_patch(fibonacci_direction_naive(i, samples), theta, phi, distance, tilt, width);
+    return 4.0 * PI * hits / float(samples);
+}
+
 float projected_solid_angle_patch(float theta, float distance, float tilt, float width) {
     // Basic Concepts: the square's shadow on the base disk, cut at the horizon; a small one above it by quadrature
     vec3 centre = distance * direction(theta, 0.0), side = width * direction_phi(0.0);

@@ -15,25 +15,28 @@ vec3 on_screen(float t) {
 uniform int measure_steps; // 0 where nothing depends on how far along a point is
 uniform int length_steps;  // 0 where nothing depends on the whole length
 
-float screen_length(float t, int pieces_to_sum) {
-    float sum = 0.0;
-    vec3 before = on_screen(0.0);
-    for (int i = 1; i <= pieces_to_sum; i++) {
-        vec3 now = on_screen(t * float(i) / float(pieces_to_sum));
-        sum += length(now.xy - before.xy);
-        before = now;
-    }
-    return sum;
-}
-
 void main() {
     float t = stage_corner.z > 0.5 ? 1.0 : stage_corner.x;
-    vec3 here = on_screen(t);
-    vec2 along = on_screen(min(t + 0.01, 1.0)).xy - on_screen(max(t - 0.01, 0.0)).xy;
+    vec3 here = vec3(0.0), pen_before = here;
+    vec2 along = vec2(0.0);
+    float pen_way = 0.0, pen_whole = 0.0; // so far, pixels
+    // One loop with one call: a compiler puts the scene's mark_point into every place that calls it.
+    for (int i = -3; i <= max(measure_steps, length_steps > 0 ? measure_steps + 1 + length_steps : 0); i++) {
+        int pen_piece = i > measure_steps ? i - measure_steps - 1 : i, pen_pieces = i > measure_steps ? length_steps : measure_steps;
+        float pen_at = i == -3 ? t : i == -2 ? min(t + 0.01, 1.0) : i == -1 ? max(t - 0.01, 0.0) : 0.0;
+        if (pen_piece > 0) pen_at = (i > measure_steps ? 1.0 : t) * float(pen_piece) / float(pen_pieces);
+        vec3 pen_now = on_screen(pen_at);
+        if (i == -3) here = pen_now;
+        if (i == -2) along = pen_now.xy;
+        if (i == -1) along -= pen_now.xy;
+        if (pen_piece > 0 && i > measure_steps) pen_whole += length(pen_now.xy - pen_before.xy);
+        else if (pen_piece > 0) pen_way += length(pen_now.xy - pen_before.xy);
+        pen_before = pen_now;
+    }
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
-    v_length = length_steps > 0 ? screen_length(1.0, length_steps) : 1e9;
-    vec2 pen = vec2(screen_length(t, measure_steps), stage_corner.y * (0.5 * line_width + 1.0));
+    v_length = length_steps > 0 ? pen_whole : 1e9;
+    vec2 pen = vec2(pen_way, stage_corner.y * (0.5 * line_width + 1.0));
     vec2 place = here.xy + across * pen.y;
     if (stage_corner.z > 0.5) {
         pen = vec2(stage_corner.x * 2.0 - 1.0, stage_corner.y) * tip_size;

@@ -38,7 +38,8 @@ def jobs() -> dict[str, Job]:
     for step in catalog.steps():
         values = defaults(step)
         values |= data(step, values)
-        stage = Stage(context(), Source(step.step.scene, step.file_name, step.glsl_line), values.get("triangles"))
+        source = Source(step.step.scene, step.file_name, step.glsl_line)
+        stage = Stage(context(), source, values.get("triangles"), values)
         for fine in (False, True):
             what = "at rest (4 samples)" if fine else "moving"
             found[f"{step.id}, {what}"] = frame(stage, values, step.step.scene.camera, fine)

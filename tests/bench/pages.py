@@ -11,10 +11,12 @@ from tests.browser import chromium, opened, settle
 
 SIZE = (1280, 720)
 STEPS = ("solid_angle/cone", "brdfs/phong", "fresnel/schlick", "lights/area_sampled", "plausible_shading/board")
-FIRST = """new MutationObserver((_, me) => {
-    if (!document.querySelector("#words").hasChildNodes() && !document.querySelector("#grips").hasChildNodes()) return;
+FIRST = """new MutationObserver((_, me) => {  // of the task that drew: its picture can still be read, and is waited for
+    if (!document.documentElement.dataset.pictured) return;
     me.disconnect();
-    requestAnimationFrame(() => setTimeout(() => { window.pictured = performance.now(); }));
+    const gl = document.querySelector("#picture").getContext("webgl2");
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    window.pictured = performance.now();
 }).observe(document, {subtree: true, childList: true, attributes: true});"""
 PICTURED = """new Promise(done => {  // wait_for_function would ask the page for eval
     const look = () => window.pictured ? done(window.pictured) : setTimeout(look, 20);

@@ -13,8 +13,7 @@ WAYS = {"semi-analytic": range(1, 25), "cubature angles": range(1, 13), "cubatur
 def studies(rounds: int = 15) -> list[Row]:
     """Each with the least cost that leaves 1e-6 at every angle; the semi-analytic way is the reference of the ratios,
     and the fastest cubature is asked to take at least 20 times as long."""
-    study = step("microfacets/cook_torrance").step.study
-    assert study is not None
+    study, = step("microfacets/cook_torrance").step.studies
     cases = [{"m": 0.1, "f0": 1.0, "theta_v": theta} for theta in ANGLES]
     right = [reference(study, values) for values in cases]
     jobs = {}

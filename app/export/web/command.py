@@ -42,15 +42,14 @@ def run(options: Namespace) -> int:
     faults: list[str] = [] if options.steps else [loaded.fault for loaded in chapters() if loaded.fault]
     stopped = False
     try:
-        with progress(len(todo)) as advance:
-            for found in todo:
-                advance(found.step.title)
+        with progress(len(todo)) as tell:
+            for i, found in enumerate(todo):
+                tell(i, found.step.title)
                 try:
                     export(found, folder, options.poster)
                     done.append(found)
                 except Problem as problem:
                     faults.append(f"{found.id}: {problem}")
-            advance("")
     except KeyboardInterrupt:
         stopped = True
     target.write(folder / "index.html", index.page(done, options.poster).encode("utf-8"))

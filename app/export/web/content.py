@@ -1,25 +1,23 @@
 """What a step's page carries, as plain data: its scene as texts for WebGL2, its values, twins, plots and question."""
 
-import math
-
 import numpy as np
 
 from app import tables
-from app.badges import SHORT, of_model, told
 from app.breaking import broken, values_of
 from app.catalog import LoadedStep, ValueSpec
+from app.export.still import data as carried
 from app.export.web.figures import plot
+from app.export.web.judged import badges, rules
 from app.export.web.texts import Data, Twins, packed, scene
 from app.gpu.stage_text import COLOURS, look
-from app.lesson import Model, Readout
-from app.optics import arguments
-from app.prediction import truth_values
-from app.quantities import FROM_ANGLES, shown
+from app.lesson import Prediction, Readout
+from app.prediction import guessed, is_right, revealed, truth, truth_values, words
 from app.readouts import ROUNDING, SUMS
-from app.spoken import said, words
 from app.state import defaults
 from app.theme import THEMES, Theme, colour, rgb
+from app.typed import slug
 
+PLACES = 200  # of the guess's slider
 QUIET = "#5D6574"  # small words on the light theme's panel: 4.5 to 1
 
 
@@ -27,79 +25,82 @@ def content(found: LoadedStep) -> Data:
     """All of a step that the player plays; what needs OpenGL (its poster) is not here."""
     step, twins = found.step, Twins()
     data: Data = {
-        "step": found.id, "title": step.title,
+        "step": found.id,
         "values": [value(spec) for spec in found.values.values()],
         "scene": scene(step.scene, found.file_name, found.glsl_line),
         "readouts": [readout(one, twins) for one in step.readouts],
         "plots": [plot(one, found, twins) for one in step.plots],
-        "ask": question(found, twins),
-        "badges": [badges(model, defaults(found)) for model in step.models],
+        "ask": question(found),
+        "badges": [badges(model, defaults(found), twins) for model in step.models],
         "themes": {name: themed(theme) for name, theme in THEMES.items()},
     }
-    data["breaks"] = [breakage(found, i, twins) for i in range(len(step.breaks))]
+    if step.models:
+        data["rules"] = rules()
+    data["breaks"] = [breakage(found, i, twins, data["plots"]) for i in range(len(step.breaks))]
     return data | {"twins": twins.found} | constants(found)
 
 
-def breakage(found: LoadedStep, which: int, twins: Twins) -> Data:
-    """The step with naive forms in the place of stable ones, and the values at which that shows."""
+def breakage(found: LoadedStep, which: int, twins: Twins, plots: list[Data]) -> Data:
+    """The step with naive forms in the place of stable ones, and the values at which that shows; a plot that changes
+    joins the others, and `put` says in whose place it stands."""
     one, changed = found.step.breaks[which], broken(found, which)
-    return {"label": one.label, "told": one.told, "sets": values_of(found, one),
+    put = {}
+    for i, (before, now) in enumerate(zip(found.step.plots, changed.step.plots, strict=True)):
+        made = plot(now, changed, twins) if now != before else {"kind": "still"}
+        if made["kind"] != "still":
+            put[i] = len(plots)
+            plots.append(made)
+    return {"told": one.told, "sets": values_of(found, one), "put": put,
             "scene": scene(changed.step.scene, found.file_name, found.glsl_line),
-            "readouts": [readout(one, twins) for one in changed.step.readouts],
-            "plots": [plot(one, changed, twins) for one in changed.step.plots]}
+            "readouts": [readout(one, twins) for one in changed.step.readouts]}
 
 
 def readout(one: Readout, twins: Twins) -> Data:
     """`nothing`: of that size a signed sum is 0, but for rounding in float32."""
     nothing = 8 * ROUNDING["float32"] * SUMS.get(one.term.function, 0.0)
-    return {"label": one.label, "term": twins.term(one.term), "role": one.role, "unit": one.unit,
-            "against": one.against, "absent": one.absent, "nothing": nothing}
+    return {"label": one.label, "term": twins.term(one.term), "unit": one.unit, "against": one.against,
+            "absent": one.absent, "nothing": nothing}
 
 
 def value(spec: ValueSpec) -> Data:
-    low, high = shown(spec.name, spec.low), shown(spec.name, spec.high)
-    return {"name": spec.name, "label": said(spec.name) if spec.choices else words(spec.name),
-            "words": spec.quantity.words, "unit": spec.quantity.screen_unit, "angle": spec.quantity.is_angle,
+    """What its controls and links need; `choices` are the words that a link may have."""
+    words = [slug(choice) for choice in spec.choices]
+    return {"name": spec.name, "unit": spec.quantity.screen_unit, "angle": spec.quantity.is_angle,
             "whole": spec.quantity.kind == "int", "default": spec.default, "low": spec.low, "high": spec.high,
-            "shown": [low, high], "log": spec.scale == "log", "more": spec.more, "choices": spec.choices}
+            "log": spec.scale == "log", "choices": [word if words.count(word) == 1 else "" for word in words]}
 
 
-def question(found: LoadedStep, twins: Twins) -> Data:
+def question(found: LoadedStep) -> Data:
+    """The words for every guess: one for each place of the slider, or each choice and then for none."""
     ask = found.step.ask
-    choices = [{"text": c.text, "low": bounded(c.low), "high": bounded(c.high)} for c in ask.choices]
-    return {"question": ask.question, "unit": ask.unit, "told": ask.told, "low": ask.low, "high": ask.high,
-            "log": ask.scale == "log", "choices": choices, "truth": twins.term(ask.truth),
-            "values": truth_values(found), "sets": bool(ask.sets)}
+    true = truth(found, **carried(found, truth_values(found)))
+    guesses = range(len(ask.choices)) if ask.choices else [place(ask, i / PLACES) for i in range(PLACES + 1)]
+    answers = [revealed(guessed(ask, guess), true) for guess in guesses]
+    answers += [answer for answer in answers if ask.choices and not is_right(ask, answer)][:1]  # as for no choice
+    return {"unit": ask.unit, "low": ask.low, "high": ask.high, "log": ask.scale == "log",
+            "verdicts": [words(ask, answer) for answer in answers],
+            "sets": truth_values(found) if ask.sets else {}}
 
 
-def bounded(x: float) -> float:
-    """JSON has no infinity."""
-    return x if math.isfinite(x) else math.copysign(1e300, x)
-
-
-def badges(model: Model, values: dict) -> Data:
-    """A model's badges at these values (float64), and the names of the values they would change with."""
-    used = [name for name in model_values(model) if name in values]
-    return {"label": model.label, "ink": model.colour, "depends": used, "found": [
-        {"short": SHORT[name], "ok": badge.ok, "told": told(name, badge)}
-        for name, badge in of_model(model, values).items()]}
-
-
-def model_values(model: Model) -> list[str]:
-    term = model.term
-    named = [term.args.get(name, name) for name in arguments(term.function)]
-    return [name for name in named if isinstance(name, str) and name not in FROM_ANGLES]
+def place(ask: Prediction, share: float) -> float:
+    if share == 1:
+        return ask.high
+    return ask.low * (ask.high / ask.low) ** share if ask.scale == "log" else ask.low + share * (ask.high - ask.low)
 
 
 def themed(theme: Theme) -> Data:
-    """The theme for the shaders (linear light) and for the page (sRGB)."""
+    """The theme for the shaders, in linear light but for what clears the picture."""
     seen = look(theme)
-    names = (*COLOURS, "background", "panel", "foreground")
-    css = {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}
     return {"line": theme.line, "linear": rounded(seen["background"]), "srgb": rgb(theme.background),
             "palette": rounded(np.frombuffer(seen["palette"], "f4")),
-            "stops": rounded(np.frombuffer(seen["colormap_stops"], "f4")),
-            "css": css | ({"quiet": QUIET} if theme.name == "light" else {})}
+            "stops": rounded(np.frombuffer(seen["colormap_stops"], "f4"))}
+
+
+def inks(theme: Theme) -> dict[str, str]:
+    """The theme's colours by name, for the page around the picture."""
+    names = (*COLOURS, "background", "panel", "foreground")
+    found = {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}
+    return found | ({"quiet": QUIET} if theme.name == "light" else {})
 
 
 def rounded(numbers) -> list[float]:
@@ -110,17 +111,15 @@ def rounded(numbers) -> list[float]:
 def constants(found: LoadedStep) -> Data:
     """The names of the step's meshes, which the page makes itself, and its tables: rows and columns, base64."""
     one = found.step.scene
-    carried: Data = {"meshes": [], "tables": []}
+    found_: Data = {"meshes": [], "tables": []}
     if any(surface.mesh for surface in one.surfaces):
-        carried["meshes"] = list(one.meshes)
+        found_["meshes"] = list(one.meshes)
     for table in one.tables:
         if table.map:  # a student's own picture, which a page has none of
-            none = np.asarray(tables.texels(table.map, None))
-            carried["tables"].append({"uniform": table.uniform, "choice": "", "files": [
-                {"rows": none.shape[0], "columns": none.shape[1], "picture": packed(none.astype("u1"))}]})
-            continue
-        files = [np.ascontiguousarray(tables.built_in(name).table, "f4") for name in table.files]
-        carried["tables"].append({"uniform": table.uniform, "choice": table.choice, "files": [
-            {"rows": t.shape[0], "columns": t.shape[1], "numbers": packed(t)} for t in files]})
-    return carried
+            files, kind = [np.asarray(tables.texels(table.map, None)).astype("u1")], "RGBA8"
+        else:
+            files, kind = [np.asarray(tables.built_in(name).table, "f4") for name in table.files], "R32F"
+        found_["tables"].append({"uniform": table.uniform, "choice": "" if table.map else table.choice, "files": [
+            {"format": kind, "rows": t.shape[0], "columns": t.shape[1], "numbers": packed(t)} for t in files]})
+    return found_
 

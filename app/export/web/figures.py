@@ -36,6 +36,8 @@ PRECISIONS = ("This plot compares float32 with float64. A page computes in float
 TIMES = ("This plot measures times of the desktop's methods. Here is what the machine that made this page measured, "
          "at the first values of the step.")
 FLOOR = 1e-8  # an error of 0 in float32 is drawn here
+DASHES = {"exact": ("", "9 5", "2 5"), "printed": ("10 4 2 4", "2 5", "9 5"),
+          "estimate": ("0 8", "5 5", "0 5", "9 4 0 4"), "lobe": ("", "9 5", "10 4 2 4", "2 5")}
 
 
 def plot(one: Plot, found: LoadedStep, twins: Twins) -> Data:
@@ -48,11 +50,17 @@ def plot(one: Plot, found: LoadedStep, twins: Twins) -> Data:
     if isinstance(one, Ledger):
         return title | ledger(one, twins)
     if isinstance(one, Slice):
-        return title | {"kind": "slice", "over": one.over, "polar": one.kind == "polar",
+        axis = f"angle of the {'eye' if one.over == 'v' else 'light'} in °, mirror side > 0"
+        return title | {"kind": "slice", "over": one.over, "polar": one.kind == "polar", "axis": axis,
                         "lobes": lobes(one.models, found, twins)}
-    if isinstance(one, Study):
-        return title | {"kind": "still", "note": f"Measured where this page was made. {one.why}"}
     return title | in_space(one, found, twins)
+
+
+def stroke(dash: str, colour: str) -> str:
+    """A line's style in a drawing and its legend."""
+    dotted = dash.startswith("0")
+    return (f"stroke:{colour};stroke-width:{4.5 if dotted else 2.2};stroke-linecap:{'round' if dotted else 'butt'}"
+            + (f";stroke-dasharray:{dash}" if dash else ""))
 
 
 # --- curves ----------------------------------------------------------------------------------------------------------
@@ -87,9 +95,13 @@ def curves(one: Curves, found: LoadedStep, twins: Twins) -> Data:
         "axis": {"low": axis.low, "high": axis.high, "log": axis.log, "degrees": axis.degrees, "whole": axis.whole,
                  "title": axis_title(one.sweep)},
         "y_label": one.y_label, "log": sweep.log, "error": one.error, "floor": FLOOR, "exact": sweep.exact,
-        "curves": [{"label": c.label, "role": c.role, "colour": c.colour, "term": twins.term(c.term)}
-                   for c in one.curves],
+        "curves": [],
     }
+    for c in one.curves:
+        before = sum(other["role"] == c.role for other in data["curves"])
+        colour, dashes = c.colour or f"var(--{c.role})", DASHES[c.role]
+        data["curves"].append({"label": c.label, "role": c.role, "colour": colour, "term": twins.term(c.term),
+                               "style": stroke(dashes[before % len(dashes)], colour)})
     if compares_precisions(one) and sweep.exact is not None:
         y = sweep.over(sweep.exact, one.curves[sweep.exact], defaults(found))
         data |= {"exact_values": packed(y), "note": "The exact curve was computed in float64 when the page was made."}
@@ -115,8 +127,10 @@ def lobes(models: tuple[Model, ...], found: LoadedStep, twins: Twins) -> list[Da
     for model in models:
         for term, channel in channels(model, found):
             name = "" if channel is None else f", {('red', 'green', 'blue')[channel]}"
-            rgb = None if channel is None else "#" + "".join(f"{round(255 * x):02X}" for x in CHANNELS[channel])
-            shown.append({"label": model.label + name, "ink": model.colour, "colour": rgb,
+            colour = f"var(--{model.colour})" if channel is None else (
+                "#" + "".join(f"{round(255 * x):02X}" for x in CHANNELS[channel]))
+            dash = DASHES["lobe"][len(shown) % len(DASHES["lobe"])]
+            shown.append({"label": model.label + name, "colour": colour, "style": stroke(dash, colour),
                           "term": twins.term(term), "shading": model.is_shading})
     return shown
 

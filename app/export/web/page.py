@@ -9,15 +9,22 @@ from pathlib import Path
 
 from app.catalog import LoadedStep
 from app.document import document
+from app.export.corners import entries
 from app.export.markup import anchor, html
 from app.export.web import math
+from app.export.web.content import inks
+from app.export.web.controls import ask, breaks, grips, numbers, rows
+from app.export.web.drawings import figures
 from app.export.web.texts import Data, shared
-from app.lesson import Step
+from app.lesson import Scene, Step
+from app.theme import THEMES
 
 PLAYER = Path(__file__).with_name("player")
-CORE = ("gpu.js", "stage.js", "words.js", "plots.js")  # then what draws the kinds of plots a step has, then the page
-KINDS = {"curves": ("curves.js",), "ledger": ("ledger.js",), "slice": ("models.js", "slices.js"),
-         "space": ("models.js", "space.js"), "still": ()}
+CORE = ("values.js", "written.js", "gpu.js", "twins.js", "camera.js", "stage.js", "labels.js", "hand.js", "page.js",
+        "controls.js", "messages.js", "deck.js")  # then what draws the kinds of plots a step has
+KINDS = {"curves": ("CurvesPlot", ("svg.js", "curves.js")), "ledger": ("LedgerPlot", ("ledger.js",)),
+         "slice": ("SlicePlot", ("svg.js", "models.js", "slices.js")),
+         "space": ("SpacePlot", ("models.js", "space.js"))}
 
 
 def file_of(id: str) -> str:
@@ -31,13 +38,12 @@ def text_of(name: str) -> str:
 
 def script(content: Data) -> str:
     """The player, with what draws this step's plots and no other."""
-    kinds = [name for plot in content["plots"] for name in KINDS[plot["kind"]]]
+    kinds = {plot["kind"]: KINDS[plot["kind"]] for plot in content["plots"] if plot["kind"] in KINDS}
     shapes = ("shapes.js",) if content["meshes"] else ()
-    own = "".join(text_of(name) for name in (*CORE, *shapes, *dict.fromkeys(kinds)))
-    ours = {name for plot in content["plots"] for name in (plot["kind"],)}
-    names = {"curves": "CurvesPlot", "slice": "SlicePlot", "ledger": "LedgerPlot", "space": "SpacePlot"}
-    table = ", ".join(f"{kind}: {names[kind]}" for kind in names if kind in ours)
-    return f'"use strict";\n{own}const KINDS = {{{table}}};\n{text_of("player.js")}'
+    judged = ("models.js", "furnace.js", "badges.js") if content["badges"] else ()
+    files = dict.fromkeys((*CORE, *shapes, *(name for _, names in kinds.values() for name in names), *judged))
+    table = ", ".join(f"{kind}: {made}" for kind, (made, _) in kinds.items())
+    return f'"use strict";\n{"".join(map(text_of, files))}const KINDS = {{{table}}};\n{text_of("start.js")}'
 
 
 def policy(scripts: list[str]) -> str:
@@ -64,11 +70,12 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
     with_math = 'class="tex"' in prose_html + notes
     scripts = [script(content)] + [math.script()] * with_math
     style = (math.style(math.fonts(step.prose + step.notes)) if with_math else "") + text_of("page.css")
-    style += "".join(f".ink-{name}{{color:var(--{name})}}" for name in content["themes"]["dark"]["css"])
+    style += "".join(themed(name, inks(theme)) for name, theme in THEMES.items())
     note = f"\n<!-- KaTeX 0.19.1\n{math.licence()}\n-->" if with_math else ""
     where = f"{found.chapter.title} · {found.index + 1} of {len(found.chapter.steps)}"
     still = f'<img src="{uri(poster, "webp")}" alt="The scene of this step, still" class="poster">' if poster else ""
-    more = "" if any(value["more"] for value in content["values"]) else " hidden"
+    few, more = ([spec for spec in found.values.values() if spec.more == late] for late in (False, True))
+    shown = {i: uri(data, "webp") for i, data in stills.items()}
     whole = f"""<header><p class="where">{escape(where)}</p>
 <h1>{escape(step.title)}</h1><p class="idea">{escape(step.idea)}</p></header>
 <main>
@@ -76,22 +83,24 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
 <div class="stage">
 <canvas id="picture" tabindex="0" role="img"
 aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></canvas>
-<div id="words" class="words" aria-hidden="true"></div><div id="grips" aria-hidden="true"></div>
-{legend(content)}{still}
+<div id="words" class="words" aria-hidden="true"></div>
+<div id="grips" aria-hidden="true">{grips(step.scene.handles)}</div>
+{legend(step.scene)}{still}
 <p class="lost-note">The picture was lost by the graphics driver and will be drawn again.</p>
 <p class="still-note">This browser draws no WebGL2, so the picture stands still here.</p>
 </div>
 <p id="faults" role="alert"></p>
-<div class="bar">{breaks(content)}<button id="copy" type="button">Copy link</button>
+<div class="bar">{breaks(found)}<button id="copy" type="button">Copy link</button>
 <button id="reset" type="button">Reset</button><button id="theme" type="button">Theme</button></div>
 <p id="broken" class="about" role="status"></p>
-<div id="few" class="rows"></div><details id="more" class="rows"{more}><summary>more</summary></details>
+<div id="few" class="rows">{rows(few)}</div>
+<details id="more" class="rows"{"" if more else " hidden"}><summary>more</summary>{rows(more)}</details>
 </section>
 <section class="side" aria-label="Numbers">
-<dl id="numbers"></dl>
+<dl id="numbers">{numbers(step.readouts)}</dl>
 {badges(content)}
-{plots(content, stills)}
-{ask(content)}
+{figures(content["plots"], len(step.plots), shown)}
+{ask(step.ask)}
 </section>
 <article>
 <div class="prose">{prose_html}</div>
@@ -115,11 +124,6 @@ def honesty(step: Step) -> str:
     return kept * bool(out) + "Numbers in this page are computed in float32."
 
 
-def breaks(content: Data) -> str:
-    return "".join(f'<label class="break"><input type="checkbox" value="{i}"> break it: {escape(one["label"])}</label>'
-                   for i, one in enumerate(content["breaks"]))
-
-
 def link(target: str) -> str:
     """A link of the prose: a state of this step, or the page of another."""
     if target.startswith("?"):
@@ -128,40 +132,24 @@ def link(target: str) -> str:
     return f"{file_of(id)}{mark}{query}" if "/" in id and "://" not in target else ""
 
 
-def legend(content: Data) -> str:
-    lines = "".join(f'<li class="ink-{e["ink"]}"><span>{escape(e["words"])}</span></li>'
-                    for e in content["scene"]["legend"])
+def legend(scene: Scene) -> str:
+    lines = "".join(f'<li class="ink-{e.mark.colour if e.mark else e.colour}"><span>{escape(e.words)}</span></li>'
+                    for e in entries(scene))
     return f'<ul class="key">{lines}</ul>' if lines else ""
+
+
+def themed(name: str, colours: dict[str, str]) -> str:
+    """A theme's colours as variables; the dark ones are everybody's who has no other."""
+    variables = "".join(f"--{ink}:{colour};" for ink, colour in colours.items())
+    classes = "".join(f".ink-{ink}{{color:var(--{ink})}}" for ink in colours)
+    return f":root{{{variables}}}{classes}" if name == "dark" else f"[data-theme={name}]{{{variables}}}"
 
 
 def badges(content: Data) -> str:
     def one(model: Data) -> str:
         words = " ".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
                         f'{"✓" if b["ok"] else "✗"} {escape(b["short"])}</span>' for b in model["found"])
-        return (f'<p class="badges" data-depends="{" ".join(model["depends"])}"><b class="ink-{model["ink"]}">'
-                f'{escape(model["label"])}</b> {words}<small> at the first values</small></p>')
+        return (f'<p class="badges"><b class="ink-{model["ink"]}">{escape(model["label"])}</b> {words}'
+                '<small> of other values</small></p>')
 
     return "".join(map(one, content["badges"]))
-
-
-def plots(content: Data, stills: dict[int, bytes]) -> str:
-    tabs = "".join(f'<button type="button" aria-pressed="{"false" if i else "true"}">{escape(plot["title"])}</button>'
-                   for i, plot in enumerate(content["plots"]))
-    tabs = f'<div id="tabs">{tabs}</div>' if len(content["plots"]) > 1 else '<div id="tabs" hidden></div>'
-    pictures = "".join(f'<img id="still-{i}" class="still" hidden src="{uri(data, "webp")}" '
-                       f'alt="{escape(content["plots"][i]["title"])}, still">' for i, data in stills.items())
-    return (f'<figure>{tabs}<h2 id="plot-title"></h2><ul id="legend"></ul><div id="plot"></div>{pictures}'
-            '<figcaption id="plot-note"></figcaption></figure>')
-
-
-def ask(content: Data) -> str:
-    question = content["ask"]
-    if question["choices"]:
-        answer = "".join(f'<label><input type="radio" name="guess" value="{i}"> {escape(c["text"])}</label>'
-                         for i, c in enumerate(question["choices"]))
-    else:
-        answer = ('<input id="guess" type="range" min="0" max="1" step="0.005" value="0.5" aria-label="your guess">'
-                  '<output id="guessed" for="guess"></output>')
-    return (f'<div id="ask"><p>{escape(question["question"])}</p><div class="choices">{answer}'
-            '</div><button id="reveal" type="button">Reveal</button><p id="verdict" role="status"></p>'
-            f'<p id="told" hidden>{escape(question["told"])}</p></div>')

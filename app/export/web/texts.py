@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from app import shader
-from app.export.corners import entries
 from app.gpu.evaluate import find, point_program
 from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, programs
 from app.lesson import Scene, Term
@@ -59,7 +58,8 @@ def shared(content: Data) -> Data:
         return one | {"scene": scene_of(one["scene"]), "plots": plots}
 
     twins = {name: twin | {"text": numbered(twin["text"])} for name, twin in content["twins"].items()}
-    found = step_of(content) | {"twins": twins, "breaks": [step_of(one) for one in content["breaks"]]}
+    broken = [one | {"scene": scene_of(one["scene"])} for one in content["breaks"]]
+    found = step_of(content) | {"twins": twins, "breaks": broken}
     return found | {"glsl": list(known)}
 
 
@@ -76,18 +76,24 @@ def declarations(text: str) -> list[str]:
 
 def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
-    texts = programs(one, file, first, shader.WEB)
+    none = {name: 0 for name in one.decided if name in one.of_the_user}  # a page has no files of a user's
+    texts = programs(one, file, first, shader.WEB, known=none)
+    named = [(i, mark) for i, mark in enumerate(one.marks) if mark.label]  # their points come first, then the probes
+    words = [{"text": label.text, "ink": label.colour, "at": len(named) + label.probe, "gap": 0}
+             for label in one.labels]
+    words += [{"text": mark.label, "ink": mark.colour, "at": at, "gap": 6 if mark.tip == "none" else 14}
+              for at, (_, mark) in enumerate(named)]
     return {
         "programs": {name: [squeezed(part.text) if part else "" for part in pair] for name, pair in texts.items()},
+        "decided": [name for name in one.decided if name not in none],  # whole values a program is compiled for
         "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh} for s in one.surfaces],
-        "marks": [{"colour": COLOURS.index(m.colour), "ink": m.colour, "line": LINES.index(m.line),
-                   "tip": TIPS.index(m.tip), "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width,
-                   "label": m.label, "label_at": m.label_at} for m in one.marks],
+        "marks": [{"colour": COLOURS.index(m.colour), "line": LINES.index(m.line), "tip": TIPS.index(m.tip),
+                   "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width} for m in one.marks],
         "dots": asdict(one.dots) if one.dots else None,
-        "labels": [{"text": label.text, "probe": label.probe, "ink": label.colour} for label in one.labels],
-        "handles": [asdict(handle) for handle in one.handles],
+        "named": [{"mark": i, "mark_t": mark.label_at} for i, mark in named], "words": words,
+        "probes": max((thing.probe + 1 for thing in (*one.labels, *one.handles)), default=0),
+        "handles": [asdict(handle) | {"at": len(named) + handle.probe} for handle in one.handles],
         "camera": asdict(one.camera),
-        "legend": [{"words": e.words, "ink": e.mark.colour if e.mark else e.colour} for e in entries(one)],
     }
 
 

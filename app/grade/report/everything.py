@@ -16,9 +16,9 @@ from app.grade.store import as_bytes
 def write(results: Results) -> None:
     table, overview, scores = Table(), Overview(results.facts), []
     marked = lti.marked_at(results.folder)
-    with progress(len(results.students)) as advance:
-        for name in results.students:
-            advance("Reports")
+    with progress(len(results.students)) as tell:
+        for i, name in enumerate(results.students):
+            tell(i, "Reports")
             sheet = results.sheet(name)
             of_one(results.place(name), sheet)
             scores.append(lti.score(sheet, marked))

@@ -1,7 +1,8 @@
 "use strict";
 // The index: a search over all steps, and the pages that are looked at, as frames over their stills.
 
-const MOST = 4, PATIENCE = 500; // frames alive at once (each has up to two WebGL contexts); ms a card is looked at first
+const MOST = 4; // frames alive at once: each has up to two WebGL contexts
+const PATIENCE = 500; // ms that a card is looked at first
 const cards = [...document.querySelectorAll("article")];
 const texts = JSON.parse(document.getElementById("texts").textContent);
 const live = new Map(), waiting = new Map();
@@ -45,6 +46,7 @@ document.getElementById("search").addEventListener("input", event => {
     card.hidden = !wanted.every(word => text.includes(word));
     hits += !card.hidden;
   }
-  for (const part of document.querySelectorAll("section")) part.hidden = ![...part.querySelectorAll("article")].some(card => !card.hidden);
+  for (const part of document.querySelectorAll("section"))
+    part.hidden = ![...part.querySelectorAll("article")].some(card => !card.hidden);
   document.getElementById("hits").textContent = wanted.length ? `${hits} of ${cards.length} steps` : "";
 });

@@ -1,21 +1,22 @@
 // Quantities below each other, the factor between them, and the balance as a bar.
 
 class LedgerPlot {
-  constructor(plot, page) { Object.assign(this, {plot, page}); }
+  constructor(plot, page, figure) { Object.assign(this, {plot, page, figure}); }
 
-  draw(box, values) {
-    const {plot, page} = this, columns = plot.columns.map(column => page.twins.all(column.map(({term}) => [term, values])));
-    box.replaceChildren(element("div", {class: "columns"}, ...plot.columns.map((column, i) => element("ol", {}, ...column.flatMap((row, j) => {
-      const value = columns[i][j][0], before = j ? columns[i][j - 1][0] : 0, factor = value / before;
-      const by = row.over ? `÷ ${three(1 / factor)} ${row.by}` : `× ${three(factor)} ${row.by}`;
-      const step = element("span", {class: "factor"}, before && Number.isFinite(factor) ? `${by} ${row.how}` : row.how);
-      return [element("li", {}, ...(j ? [step] : []), element("span", {}, row.label), element("b", {}, written(value, row.unit)))];
-    })))));
-    if (!plot.balance.length) return [[], ""];
-    const [emitted, received, escaped] = page.twins.all(plot.balance.map(term => [term, values])).map(found => found[0]);
-    const meter = element("div", {class: "balance"}, element("i"));
-    meter.firstChild.style.width = `${100 * Math.min(1, Math.max(0, received / emitted || 0))}%`;
-    box.append(meter);
-    return [[], `received ${three(received)} + escaped ${three(escaped)} = ${three(emitted)} ${plot.unit}`];
+  draw(values) {
+    const {plot: {columns, balance, unit}, page, figure} = this, cells = all("output", figure).values();
+    for (const column of columns) {
+      const sizes = page.twins.numbers(column.map(({term}) => term), values);
+      column.forEach(({over, by, unit: of}, i) => {
+        const factor = sizes[i] / sizes[i - 1], known = sizes[i - 1] && Number.isFinite(factor);
+        const words = over ? `÷ ${three(1 / factor)} ${by}` : `× ${three(factor)} ${by}`;
+        if (i) cells.next().value.textContent = known ? words : "";
+        cells.next().value.textContent = written(sizes[i], of);
+      });
+    }
+    if (!balance.length) return "";
+    const [emitted, received, escaped] = page.twins.numbers(balance, values);
+    figure.querySelector(".balance i").style.width = `${100 * within(received / emitted || 0, 0, 1)}%`;
+    return `received ${three(received)} + escaped ${three(escaped)} = ${three(emitted)} ${unit}`;
   }
 }

@@ -1,105 +1,60 @@
 // Plays a scene: the constant arrays and programs of app/gpu/stage_text.py, drawn as app/gpu/stage.py draws them.
 
-const NEAR = 0.05, FAR = 100;
-const RADIANS = Math.PI / 180;
-
-// A camera that orbits its target, +z up: what app/camera.py computes. The matrix is column by column.
-function cameraPosition({azimuth, elevation, distance, target}) {
-  const a = azimuth * RADIANS, e = elevation * RADIANS;
-  return [target[0] + distance * Math.cos(e) * Math.cos(a), target[1] + distance * Math.cos(e) * Math.sin(a),
-          target[2] + distance * Math.sin(e)];
-}
-
-function viewProjection(camera, aspect) {
-  const eye = cameraPosition(camera), a = camera.azimuth * RADIANS;
-  const forward = camera.target.map((x, i) => (x - eye[i]) / camera.distance);
-  const side = [-Math.sin(a), Math.cos(a), 0];
-  const up = [side[1] * forward[2], -side[0] * forward[2], side[0] * forward[1] - side[1] * forward[0]];
-  const scale = Math.min(1, aspect) / Math.tan(camera.field_of_view * RADIANS / 2);
-  const dot = p => p[0] * eye[0] + p[1] * eye[1] + p[2] * eye[2];
-  const depth = (FAR + NEAR) / (NEAR - FAR), lift = 2 * FAR * NEAR / (NEAR - FAR), found = [];
-  for (let i = 0; i < 4; i++) {
-    const [x, y, z] = i < 3 ? [side[i], up[i], -forward[i]] : [-dot(side), -dot(up), dot(forward)];
-    found.push(x * scale / aspect, y * scale, z * depth + (i < 3 ? 0 : lift), -z);
-  }
-  return found;
-}
-
-// Where a point lies in the picture: x, y from 0 to 1 from the top left, and w (behind the eye: w <= 0).
-function project(matrix, [x, y, z]) {
-  const [cx, cy, , w] = [0, 1, 2, 3].map(i => matrix[i] * x + matrix[4 + i] * y + matrix[8 + i] * z + matrix[12 + i]);
-  return [0.5 + 0.5 * cx / w, 0.5 - 0.5 * cy / w, w];
-}
-
 class Stage {
   constructor(gpu, scene, data) {
-    Object.assign(this, {gpu, scene, data, matrix: null, camera: scene.camera});
+    Object.assign(this, {gpu, scene, data, camera: {...scene.camera}, matrix: null});
     this.begin();
   }
 
-  begin() {
-    this.arrays = new Map();
-    this.uses = {};
-    for (const [name, [vertex, fragment]] of Object.entries(this.scene.programs))
-      this.uses[name] = this.gpu.program(vertex, fragment);
-  }
+  // What hangs on the context; called again when a lost one comes back.
+  begin() { this.made = new Map(); }
 
-  // The vertex array that feeds a program with a geometry: corners of `width` numbers, perhaps with indices.
-  array(use, key, attribute, width, make) {
-    const gl = this.gpu.gl, name = `${use} ${key}`;
-    if (!this.arrays.has(name)) {
-      const {corners, indices} = make(), array = gl.createVertexArray();
-      gl.bindVertexArray(array);
-      gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-      gl.bufferData(gl.ARRAY_BUFFER, corners, gl.STATIC_DRAW);
-      const at = gl.getAttribLocation(this.uses[use].program, attribute);
-      if (at >= 0) {
-        gl.enableVertexAttribArray(at);
-        gl.vertexAttribPointer(at, width, gl.FLOAT, false, 0, 0);
-      }
-      if (indices) {
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
-      }
-      this.arrays.set(name, {array, count: indices ? indices.length : corners.length / width, indexed: !!indices});
+  // A program at these values: what is decided when it is compiled is a constant in the place of `uniform int kind;`.
+  program(name, values) {
+    const {decided, programs} = this.scene, key = [name, ...decided.map(one => values[one])].join();
+    if (!this.made.has(key)) {
+      const constant = (text, one) => text.replace(`uniform int ${one};`, `const int ${one} = ${values[one]};`);
+      this.made.set(key, this.gpu.program(...programs[name].map(text => decided.reduce(constant, text))));
     }
-    return this.arrays.get(name);
+    return this.made.get(key);
   }
 
-  render(made) {
-    const gl = this.gpu.gl;
-    gl.bindVertexArray(made.array);
-    if (made.indexed) gl.drawElements(gl.TRIANGLES, made.count, gl.UNSIGNED_INT, 0);
-    else gl.drawArrays(gl.TRIANGLES, 0, made.count);
+  // Those of the picture; asked for before the first is used, they compile side by side.
+  pictured(values) {
+    const names = ["surface", "mesh", "dots", "mark"].filter(name => name in this.scene.programs);
+    this.uses = Object.fromEntries(names.map(name => [name, this.program(name, values)]));
+    return Object.values(this.uses);
   }
 
-  // From where the picture is seen; words and drags follow the same matrix.
-  aim(camera) {
-    const {drawingBufferWidth: wide, drawingBufferHeight: high} = this.gpu.gl;
-    Object.assign(this, {camera, matrix: viewProjection(camera, wide / high)});
+  // As many pixels as the canvas has on the screen, or a share of them, seen by the camera; how many to a CSS pixel.
+  aim(share = 1) {
+    const {canvas} = this.gpu.gl, scale = share * Math.min(devicePixelRatio || 1, 2);
+    const width = Math.round(canvas.clientWidth * scale), height = Math.round(canvas.clientHeight * scale);
+    if (width && height && (canvas.width !== width || canvas.height !== height)) Object.assign(canvas, {width, height});
+    this.matrix = viewProjection(this.camera, canvas.width / canvas.height);
+    return scale;
   }
 
   draw(values, theme, fine = true, lineScale = 1) {
-    const gl = this.gpu.gl, {dots} = this.scene, size = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-    this.line = theme.line * Math.max(0.75, Math.min(...size) / 620) * lineScale;
-    this.given = {...values, ...this.data(values), view_projection: this.matrix, viewport: size,
+    const {gpu, scene: {dots}} = this;
+    this.line = theme.line * Math.max(0.75, Math.min(...gpu.size) / 620) * lineScale;
+    this.given = {...values, ...this.data(values), view_projection: this.matrix, viewport: gpu.size,
                   camera_position: cameraPosition(this.camera), palette: theme.palette, background: theme.linear,
                   colormap_stops: theme.stops, dot_size: (2 + this.line) * (dots ? dots.size : 1)};
-    for (const [name, use] of Object.entries(this.uses))
-      if (name !== "probe" && name !== "anchor") this.gpu.give(this.gpu.use(use), this.given);
-    gl.clearColor(...theme.srgb, 1);
-    this.gpu.into(fine, () => this.paint(values));
+    for (const program of this.pictured(values)) gpu.use(program, this.given);
+    gpu.gl.clearColor(...theme.srgb, 1);
+    gpu[fine ? "fine" : "coarse"](() => this.paint());
   }
 
   // Of the last picture, as it was drawn: pixels that are not a number, infinite, negative.
-  faults(values) {
+  faults() {
     this.gpu.gl.clearColor(0, 0, 0, 0);
-    return this.gpu.faults(() => this.paint(values));
+    return this.gpu.faults(() => this.paint());
   }
 
   // Opaque surfaces, then dots and marks, then what one looks through.
-  paint(values) {
-    const gl = this.gpu.gl, {surfaces, marks, dots} = this.scene;
+  paint() {
+    const {gpu, gpu: {gl}, scene: {surfaces, marks, dots}} = this;
     gl.depthMask(true);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
@@ -108,80 +63,67 @@ class Stage {
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     if (dots) {
-      this.gpu.give(this.gpu.use(this.uses.dots), this.data(values));
-      gl.bindVertexArray(null);
-      gl.drawArrays(gl.POINTS, 0, typeof dots.count === "string" ? Math.round(values[dots.count]) : dots.count);
+      gpu.use(this.uses.dots, {});
+      gl.drawArrays(gl.POINTS, 0, typeof dots.count === "string" ? Math.round(this.given[dots.count]) : dots.count);
     }
     marks.forEach((mark, i) => this.mark(mark, i));
     gl.depthMask(false);
     surfaces.forEach((surface, i) => surface.opacity >= 1 || this.surface(surface, i));
     gl.depthMask(true);
-    gl.bindVertexArray(null);
   }
 
-  surface(surface, i) {
-    const name = surface.mesh ? "mesh" : "surface", use = this.gpu.use(this.uses[name]);
-    this.gpu.give(use, {...this.data(this.given), surface: i, opacity: surface.opacity});
-    if (surface.mesh) {
-      const {triangles} = this.given.triangles;
-      this.render(this.array(name, `mesh ${triangles.length} ${triangles[0]}`, "stage_position", 3,
-                             () => ({corners: triangles})));
-    } else {
-      this.render(this.array(name, `grid ${surface.cells}`, "stage_st", 2, () => grid(surface.cells)));
-    }
+  surface({mesh, cells, opacity}, i) {
+    const data = this.given.triangles;
+    this.gpu.use(this.uses[mesh ? "mesh" : "surface"], {surface: i, opacity});
+    if (mesh) this.gpu.triangles(data, () => data.corners);
+    else this.gpu.triangles(`grid ${cells}`, () => grid(cells, (s, t) => [s, t]));
   }
 
   mark(mark, i) {
-    const use = this.gpu.use(this.uses.mark), width = this.line * mark.width;
+    const width = this.line * mark.width, tip = mark.tip > 0;
     const steps = mark.line === 0 && mark.tip !== 1 ? 0 : mark.segments === 1 ? 1 : 16;
-    this.gpu.give(use, {...this.data(this.given), mark: i, measure_steps: steps, length_steps: mark.tip === 1 ? steps : 0,
-                        mark_colour: mark.colour, dash: mark.line, tip: mark.tip, line_width: width,
-                        tip_size: mark.tip_size * width});
-    this.render(this.array("mark", `pen ${mark.segments} ${mark.tip > 0}`, "stage_corner", 3,
-                           () => pen(mark.segments, mark.tip > 0)));
+    this.gpu.use(this.uses.mark, {mark: i, measure_steps: steps, length_steps: mark.tip === 1 ? steps : 0,
+                                  mark_colour: mark.colour, dash: mark.line, tip: mark.tip, line_width: width,
+                                  tip_size: mark.tip_size * width});
+    this.gpu.triangles(`pen ${mark.segments} ${tip}`, () => pen(mark.segments, tip));
   }
 
-  // Where words and handles stand, in the world: {probes, anchors}; all of them come back in one reading.
+  // Where named marks and then probes stand, in the world.
   places(values) {
-    const {labels, handles, marks} = this.scene, uniforms = {...values, ...this.data(values)};
-    const last = Math.max(-1, ...labels.map(one => one.probe), ...handles.map(one => one.probe));
-    const tasks = last < 0 ? [] : [{program: this.uses.probe, uniforms, count: last + 1}];
-    const named = marks.map((mark, i) => [mark, i]).filter(([mark]) => mark.label);
-    for (const [mark, i] of named)
-      tasks.push({program: this.uses.anchor, uniforms: {...uniforms, mark: i, mark_t: mark.label_at}, count: 1});
-    const found = tasks.length ? this.gpu.transform(tasks) : [];
-    const probes = last < 0 ? [] : Array.from({length: last + 1}, (_, i) => found[0].slice(4 * i, 4 * i + 3));
-    return {probes, anchors: named.map(([mark], i) => [mark, found[i + (last < 0 ? 0 : 1)].slice(0, 3)])};
+    const {named, probes} = this.scene, tasks = named.map(one => this.task("anchor", {...values, ...one}, 1));
+    if (probes) tasks.push(this.task("probe", values, probes));
+    return this.gpu.points(tasks).flatMap(fours);
   }
 
-  probe(i, values) {
+  // Where the probes alone stand, at many values at once.
+  probes(many) {
+    return this.gpu.points(many.map(values => this.task("probe", values, this.scene.probes))).map(fours);
+  }
+
+  task(name, values, count) {
     const uniforms = {...values, ...this.data(values)};
-    return this.gpu.transform([{program: this.uses.probe, uniforms, count: i + 1}])[0].slice(4 * i, 4 * i + 3);
+    return {program: this.program(name, values), uniforms, inputs: [], count, returns: "vec4"};
   }
 }
 
-// Corners of a grid over the unit square and its triangles.
-function grid([across, up]) {
-  const corners = new Float32Array(2 * (across + 1) * (up + 1)), indices = new Uint32Array(6 * across * up);
-  let at = 0;
-  for (let j = 0; j <= up; j++) for (let i = 0; i <= across; i++) corners.set([i / across, j / up], 2 * (j * (across + 1) + i));
+const fours = numbers => Array.from({length: numbers.length / 4}, (_, i) => numbers.subarray(4 * i, 4 * i + 4));
+
+// Triangles over a grid of cells, with `corner` where s and t go from 0 to 1.
+function grid([across, up], corner) {
+  const corners = [], indices = [];
+  for (let j = 0; j <= up; j++) for (let i = 0; i <= across; i++) corners.push(corner(i / across, j / up));
   for (let j = 0; j < up; j++) {
-    for (let i = 0; i < across; i++, at += 6) {
+    for (let i = 0; i < across; i++) {
       const a = j * (across + 1) + i, d = a + across + 1;
-      indices.set([a, a + 1, d + 1, a, d + 1, d], at);
+      indices.push(a, a + 1, d + 1, a, d + 1, d);
     }
   }
-  return {corners, indices};
+  return [corners, indices];
 }
 
-// Corners of a line of some pieces, and of the square its tip is drawn in.
+// A line of some pieces, and perhaps the square its tip is drawn in.
 function pen(segments, tip) {
-  const corners = [], indices = [];
-  for (let i = 0; i <= segments; i++) corners.push(i / segments, -1, 0, i / segments, 1, 0);
-  for (let i = 0; i < segments; i++) indices.push(...[0, 1, 3, 0, 3, 2].map(k => 2 * i + k));
-  if (tip) {
-    corners.push(0, -1, 1, 1, -1, 1, 1, 1, 1, 0, 1, 1);
-    indices.push(...[0, 1, 2, 0, 2, 3].map(k => 2 * (segments + 1) + k));
-  }
-  return {corners: new Float32Array(corners), indices: new Uint32Array(indices)};
+  const [line, pieces] = grid([segments, 1], (t, side) => [t, 2 * side - 1, 0]);
+  const [square, halves] = tip ? grid([1, 1], (s, t) => [s, 2 * t - 1, 1]) : [[], []];
+  return [[...line, ...square], [...pieces, ...halves.map(k => k + line.length)]];
 }
