@@ -12,7 +12,21 @@ from app import loops
 from app.gpu.context import endless, pixel, program
 from app.gpu.evaluate import data_texture
 from app.gpu.picture import SAMPLES, Picture
-from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Programs, Source, grid, look, needed, pen, programs
+from app.gpu.stage_text import (
+    COLOURS,
+    LINES,
+    TIP_SIZE,
+    TIPS,
+    Programs,
+    Source,
+    grid,
+    is_made_of,
+    look,
+    needed,
+    pen,
+    programs,
+    typed_alone,
+)
 from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
@@ -56,33 +70,30 @@ class Stage:
         return {name: int(values.get(name, now)) for name, now in self.choice.items()}
 
     def decide(self, values: dict) -> None:
-        """The programs for what is chosen now: compiled when it is chosen first, found again later.
-
-        A text that is being edited is compiled for every choice at once, as it must be right for each."""
+        """The programs for what is chosen now: compiled when it is chosen first, found again later."""
         choice = self.chosen(values)
         if choice == self.choice:
             return
         before, self.choice = self.choice, choice
-        if not self.source.overrides:
-            self.others[tuple(before.values())] = self.programs, self.watched
-            known = self.others.pop(tuple(choice.values()), None)
-            self.programs, self.watched = known or (self.compiled(None), self.watched)
-            if len(self.others) > KEPT:
-                self.others.pop(next(iter(self.others)))
-            self.let_go()
-            self.hold_mesh()
+        self.others[tuple(before.values())] = self.programs, self.watched
+        known = self.others.pop(tuple(choice.values()), None)
+        self.programs, self.watched = known or (self.compiled(None), self.watched)
+        if len(self.others) > KEPT:
+            self.others.pop(next(iter(self.others)))
+        self.let_go()
+        self.hold_mesh()
 
     def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
-        what was drawn before goes on.
-
-        All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
+        what was drawn before goes on. Programs without these texts are found again, not compiled."""
         if overrides == self.source.overrides:
             return
         before, runs = (self.source, self.programs, self.watched, self.others), False
         self.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
+                if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
+                    program(self.ctx, *typed, (), self.passing)
                 self.programs = self.compiled(None)
             trial()
             runs = True
@@ -112,8 +123,7 @@ class Stage:
         if not shared:
             return False
         todo, use = next(iter(shared.items()))
-        choice = {} if self.source.overrides else self.choice
-        vertex, fragment = pair = self.texts((use,), choice | {"surface": todo})[use]
+        vertex, fragment = pair = self.texts((use,), self.choice | {"surface": todo})[use]
         with self.ctx:
             own = program(self.ctx, vertex, fragment, (), self.passing_now)
         self.programs[f"{use} {todo}"] = own
@@ -131,17 +141,9 @@ class Stage:
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
         watched: Programs = {}
-        choice = {} if self.source.overrides else self.choice
-        one = self.one_program or self.source.overrides or len(self.scene.surfaces) > MANY
         for name in needed(self.scene) if names is None else names:
-            wanted = {name: choice}
-            if name in ("surface", "mesh") and not one:
-                # its number a constant: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
-                # scene does for other surfaces would make its frames up to twice as slow
-                wanted = {f"{name} {i}": choice | {"surface": i} for i, s in enumerate(self.scene.surfaces)
-                          if program_of(s) == name}
-            for called, known in wanted.items():
-                vertex, fragment = pair = self.texts((name,), known)[name]
+            for called, pair in self.wanted(name).items():
+                vertex, fragment = pair
                 if has_loops(pair):
                     watched[called] = pair
                 values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
@@ -149,6 +151,22 @@ class Stage:
         if names is None:
             self.watched = watched
         return found
+
+    def wanted(self, name: str) -> Programs:
+        """The texts of the programs of that kind, by what each is called: one, or one for each surface.
+
+        Its number is a constant then: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
+        scene does for other surfaces would make its frames up to twice as slow. Of a text that is being edited no
+        more than one program of a kind is compiled: a hand that types waits for it."""
+        all_of_them = {name: self.texts((name,), self.choice)[name]}
+        if name not in ("surface", "mesh") or self.one_program or len(self.scene.surfaces) > MANY:
+            return all_of_them
+        each = {f"{name} {i}": self.texts((name,), self.choice | {"surface": i})[name]
+                for i, surface in enumerate(self.scene.surfaces) if program_of(surface) == name}
+        mine = [called for called, pair in each.items() if is_made_of(pair, self.source.overrides)]
+        if len(mine) < 2:
+            return each
+        return {called: pair for called, pair in each.items() if called not in mine} | all_of_them
 
     def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
         """What is compiled, for the values that are `known`."""
