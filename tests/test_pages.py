@@ -419,23 +419,6 @@ def test_nothing_sticks_out(size, folder, browser):
 
 
 # --- the course ------------------------------------------------------------------------------------------------------
-def test_an_index_of_many_steps_loses_no_context(folder, browser):
-    from app.export.web import index
-
-    (folder / "index.html").write_text(index.page(list(steps()), posters=False), encoding="utf-8")
-    with opened(browser, folder / "index.html", (1280, 720)) as (tab, heard):
-        most = 0
-        for i in range(0, len(steps()), 9):
-            tab.evaluate("i => document.querySelectorAll('article')[i].scrollIntoView({block: 'center'})", i)
-            tab.wait_for_function("() => document.querySelectorAll('iframe.ready').length > 0")
-            most = max(most, tab.evaluate("document.querySelectorAll('iframe').length"))
-        assert 0 < most <= 4
-        tab.locator("#search").fill("fresnel angle")
-        shown = tab.evaluate("[...document.querySelectorAll('article:not([hidden])')].map(one => one.id)")
-        assert "card-fresnel-angle" in shown and len(shown) < 20
-    assert heard.said == []  # "Too many active WebGL contexts" would be
-
-
 def test_the_command(tmp_path, capsys):
     from app.__main__ import main
 

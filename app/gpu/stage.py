@@ -22,6 +22,7 @@ from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
 
 
@@ -41,7 +42,7 @@ class Stage:
         self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
         self.others: dict[tuple[int, ...], tuple] = {}  # programs and watched of other choices, the latest last
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
-        self.passing: dict = {}  # programs of texts that are being edited
+        self.passing: dict = {}  # programs of its own
         self.watched: Programs = {}  # those with a loop of the user's
         with ctx:
             self.choice |= self.chosen(values or {})
@@ -66,6 +67,9 @@ class Stage:
             self.others[tuple(before.values())] = self.programs, self.watched
             known = self.others.pop(tuple(choice.values()), None)
             self.programs, self.watched = known or (self.compiled(None), self.watched)
+            if len(self.others) > KEPT:
+                self.others.pop(next(iter(self.others)))
+            self.let_go()
             self.hold_mesh()
 
     def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
@@ -121,8 +125,8 @@ class Stage:
 
     @property
     def passing_now(self) -> dict | None:
-        """Where the programs of a text that is being edited are kept."""
-        return self.passing if self.source.overrides else None
+        """Where programs of its own are kept: of a text that is being edited, of a choice made later."""
+        return self.passing if self.source.overrides or self.others else None
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
@@ -242,8 +246,8 @@ class Stage:
         """All that a picture depends on. From now on probes answer for it, and at once: they wait for what is drawn."""
         with self.ctx:
             self.picture.resize(size)
-            self.take_tables(values)
             self.decide(values)
+            self.take_tables(values)
             self.set_uniforms(values, camera, theme)
 
     def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
