@@ -237,7 +237,7 @@ def test_without_g_there_is_less_to_do():
     assert "left out. All facets open, at most" in said and "of the highlight off" in said
 
 
-TWICE = "second bounces between facets"
+TWICE = "second bounces"
 
 
 @pytest.mark.parametrize(("material", "is_out"), [(0, True), (2, True), (4, True), (5, False), (7, False), (8, False)])
