@@ -2,6 +2,7 @@
 
 from html import escape
 
+from app.breaking import broken
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.content import PLACES
 from app.lesson import Handle, Prediction, Readout
@@ -53,6 +54,7 @@ def numbers(readouts: tuple[Readout, ...]) -> str:
 
 def breaks(found: LoadedStep) -> str:
     return "".join(f'<label class="break"><input type="checkbox" value="{i}"> break it: {escape(one.label)}</label>'
+                   f'<template id="numbers-{i}">{numbers(broken(found, i).step.readouts)}</template>'
                    for i, one in enumerate(found.step.breaks))
 
 
