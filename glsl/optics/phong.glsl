@@ -28,8 +28,8 @@ float lobe_phong(vec3 n, vec3 l, vec3 v, float exponent) {
 }
 
 float lobe_phong_naive(vec3 n, vec3 l, vec3 v, float exponent) {
-    // The Phong Model (1), literally: the power of a number next to 1, or of one below 0, which is none
-    return pow(dot(reflection_vector(n, l), v), exponent);
+    // The Phong Model (1), literally, as a card takes a power: of a number next to 1, or of one below 0, which has no log
+    return exp2(exponent * log2(dot(reflection_vector(n, l), v)));
 }
 
 float shading_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
