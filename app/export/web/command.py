@@ -83,9 +83,10 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
         values: dict = defaults(found)
         values |= carried(found, values)
         with Shooting(found, POSTER, DARK) as one:
-            picture = one.picture(values, one.camera([values], None))
+            camera, seen = one.camera([values], None), data["scene"]["camera"]
+            picture, seen["wide"] = one.picture(values, camera), camera.field_of_view
             # what fills a square picture fits into any
-            data["scene"]["camera"]["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
+            seen["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
         small = webp(picture.resize(SMALL, Image.Resampling.LANCZOS))
         stills = {i: webp(still_of(found, values, i)) for i, p in enumerate(data["plots"]) if p["kind"] == "still"}
         words = {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": write(found, values)}

@@ -16,7 +16,8 @@ def page(done: list[LoadedStep], posters: bool) -> str:
     chapters = {found.loaded.id: found.chapter for found in done}
     body = "".join(section(id, chapter.title, chapter.idea, [f for f in done if f.loaded.id == id], posters)
                    for id, chapter in chapters.items())
-    outline = "".join(f'<li><a href="#{anchor(id)}">{escape(chapter.title)}</a></li>'
+    numbers = {found.loaded.id: found.loaded.number for found in done}
+    outline = "".join(f'<li value="{numbers[id]}"><a href="#{anchor(id)}">{escape(chapter.title)}</a></li>'
                       for id, chapter in chapters.items())
     found = json.dumps({anchor(f.id): searched(f) for f in done}, ensure_ascii=False).replace("</", r"<\/")
     rules = policy([script]).replace("img-src data:", "img-src 'self' data: file:").replace(
