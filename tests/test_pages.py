@@ -34,7 +34,7 @@ from tests.test_twins import COUNTED, NAIVE
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
 PATCH = "solid_angle/patch"
-LARGEST, ZIPPED = 900_000, 420_000  # bytes of a page
+LARGEST, ZIPPED, WITHOUT_MATH, STILLS = 900_000, 420_000, 250_000, 80_000  # bytes of a page; of its stills at most
 SMALL = (160, 120)
 STRAY = 5  # pixels of 19200 at the very ends of lines and dots
 SEE = f"""() => {{
@@ -130,7 +130,9 @@ def test_a_page_is_the_step(found, folder, visitor, ctx):
     slider moves both; its formulas have their fonts."""
     path = folder / file_of(found.id)
     raw = path.read_bytes()
-    assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
+    carried = math.script() + math.style(math.fonts(found.step.prose + found.step.notes)) + math.licence()
+    assert len(raw) <= LARGEST - STILLS and len(gzip.compress(raw)) <= ZIPPED - STILLS
+    assert len(raw) - len(carried.encode()) * (b'class="tex"' in raw) <= WITHOUT_MATH - STILLS
     tab, heard = visitor
     heard.said.clear()
     heard.asked.clear()
@@ -300,6 +302,12 @@ def test_a_lost_context_comes_back(patch):
     settle(patch, drawn)
     assert patch.evaluate(SEE) == before
     assert not patch.locator(".lost-note").is_visible()
+
+
+def test_the_largest_stills_fit(tmp_path):
+    export(step("plausible_shading/compare"), tmp_path, poster=True)
+    text = (tmp_path / file_of("plausible_shading/compare")).read_text("utf-8")
+    assert 30_000 < sum(map(len, re.findall(r"data:image/webp;base64,[^\"]*", text))) <= STILLS
 
 
 def test_without_webgl_it_is_a_still(tmp_path, browser):

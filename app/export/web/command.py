@@ -16,6 +16,7 @@ from app.export.markup import anchor
 from app.export.png import png
 from app.export.web import index
 from app.export.web.content import content
+from app.export.web.moving import moving
 from app.export.web.page import file_of, page
 from app.lesson import Study
 from app.problem import Problem, Usage
@@ -33,11 +34,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("-o", "--output", metavar="DIR", required=True, help="the folder the pages go to")
     parser.add_argument("--poster", action=BooleanOptionalAction, default=True,
                         help="a still beside each page and in it, for slides and browsers without WebGL2")
+    parser.add_argument("--film", action=BooleanOptionalAction,
+                        help="a film (GIF) beside each page, for slides: a second a step, so not with --all unless asked")
 
 
 def run(options: Namespace) -> int:
     todo = wanted(options.steps, options.all)
     folder = target.make_folder(options.output)
+    film = options.poster and not options.all if options.film is None else options.film
     done: list[LoadedStep] = []
     faults: list[str] = [] if options.steps else [loaded.fault for loaded in chapters() if loaded.fault]
     stopped = False
@@ -47,6 +51,8 @@ def run(options: Namespace) -> int:
                 tell(i, found.step.title)
                 try:
                     export(found, folder, options.poster)
+                    if film and (made := moving(found)):
+                        target.write(folder / f"{anchor(found.id)}.gif", made)
                     done.append(found)
                 except Problem as problem:
                     faults.append(f"{found.id}: {problem}")
