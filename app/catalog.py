@@ -255,25 +255,21 @@ def values_of(step: Step) -> dict[str, ValueSpec]:
         names += [plot.sweep] if isinstance(plot, Curves) else ["l", "v"] if isinstance(plot, ModelPlot) else []
         names += [plot.eye] if isinstance(plot, Study) and plot.sampler and plot.eye else []
     names = [angle for name in names for angle in FROM_ANGLES.get(name, (name,))]
-    found = {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
-             if name not in DATA}
-    for name in scene.decided:
-        if wrong := undecidable(name, found, scene):
-            raise Problem(wrong)
-    return found
+    if wrong := undecidable(step):
+        raise Problem(wrong)
+    return {name: spec_of(name, listed.get(name, Value(name)), scene.meshes) for name in dict.fromkeys(names)
+            if name not in DATA}
 
 
-def undecidable(name: str, values: dict[str, ValueSpec], scene: Scene) -> str:
-    """Why programs cannot be compiled for a value, in a sentence; "" where they can."""
-    if name in (table.given for table in scene.tables if table.given):
-        return ""
-    choices = [one for one, spec in values.items() if spec.choices]
-    if name not in values:
-        return f"there is no value {name}, which the scene decides.{near(name, choices)}"
-    if not values[name].choices:
-        return f"the scene decides {name}, which is no choice: a program for each of its values would be compiled."
-    if not re.search(rf"^uniform int {name};$", scene.glsl, re.M):
-        return f"the scene decides {name}, and its GLSL has no line `uniform int {name};`."
+def undecidable(step: Step) -> str:
+    """Why programs cannot be compiled for what the scene decides, in a sentence; "" where they can."""
+    scene, choices = step.scene, [value.name for value in step.values if value.choices]
+    for name in set(scene.decided) - set(scene.of_the_user):
+        if name not in choices:
+            return (f"the scene decides {name}, which is no choice of the step: programs are compiled for each value "
+                    f"of one.{near(name, choices)}")
+        if not re.search(rf"^uniform int {name};$", scene.glsl, re.M):
+            return f"the scene decides {name}, and its GLSL has no line `uniform int {name};`."
     return ""
 
 

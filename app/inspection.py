@@ -3,7 +3,7 @@
 import argparse
 import json
 import re
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 
 from app import shader
 from app.badges import as_json, of_model
@@ -49,6 +49,7 @@ class Inspection:
     faults: tuple[str, ...]  # what a test refuses
     badges: dict[str, dict]  # of its models at these values: label -> badge -> ok, worst, at
     decisions: tuple[str, ...] = ()  # what it does without at these values, and what that costs
+    decided: dict[str, str] = field(default_factory=dict)  # choices, constants of its programs
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -76,7 +77,8 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
     made = decisions(found, values)
     found = lean(found, made)
     scene = found.step.scene
-    texts = programs(scene, found.file_name, found.glsl_line)
+    whole, known = programs(scene, found.file_name, found.glsl_line), choices(scene, values)
+    texts = programs(scene, found.file_name, found.glsl_line, known=known)
     own = set(shader.signatures(scene.glsl))
     kept = {name for pair in texts.values() for part in pair if part for name in part.kept}
     out = {name for pair in texts.values() for part in pair if part for name in part.left_out} - kept
@@ -90,9 +92,18 @@ def inspect(found: LoadedStep, values: dict | None = None) -> Inspection:
         {name: kind for one in passes for name, kind in one.attributes.items()},
         passes, vertices(scene, triangles(scene, values), values), table_sizes(scene, values), packages(found),
         ("window", "plot (pyvista and VTK, on its own)"),
-        tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, texts),
+        tuple(sorted(out)), left_out(found, out, idle_files(texts)), faults(found, whole),
         {model.label: as_json(of_model(model, values)) for model in found.step.models},
-        tuple(one.words for one in made))
+        tuple(one.words for one in made), {name: chosen_words(found, name, number) for name, number in known.items()})
+
+
+def choices(scene: Scene, values: dict) -> dict[str, int]:
+    """What a scene decides, at these values; no map is the user's."""
+    return {name: int(values.get(name, 0)) for name in scene.decided}
+
+
+def chosen_words(found: LoadedStep, name: str, number: int) -> str:
+    return found.values[name].choices[number] if name in found.values else "none of yours"
 
 
 def one_pass(name: str, pair: tuple[shader.Assembled, shader.Assembled | None], scene: Scene) -> Pass:
@@ -144,6 +155,9 @@ def left_out(found: LoadedStep, functions: set[str], files: set[str]) -> tuple[s
     said = [f"{count} of the included files: nothing here calls them."] * bool(functions)
     if files:
         said.append(f"{', '.join(sorted(files))}: included by others, and nothing of it is used.")
+    if scene.decided:
+        said.append(f"what another choice of {', '.join(scene.decided)} needs: programs are compiled when it is made. "
+                    "Branches that the text does not show to be decided stay in it, for the compiler to drop.")
     if not any(surface.mesh for surface in scene.surfaces):
         said.append("trimesh: the scene has no mesh.")
     if not any(table.files for table in scene.tables):
@@ -199,6 +213,8 @@ def words(found: Inspection) -> str:
              f"files       {listed(found.files)}", f"functions   {listed(found.functions)}",
              f"uniforms    {listed(f'{kind} {name}' for name, kind in found.uniforms.items())}",
              f"attributes  {listed(f'{kind} {name}' for name, kind in found.attributes.items())}"]
+    chosen = [f"{name} = {word}" for name, word in found.decided.items()]
+    lines += [f"decided     {listed(chosen)}"] * bool(chosen)
     lines += [f"pass        {one.name}: {one.draws} {DRAWN[one.name]}; {len(one.functions)} functions, "
               f"{len(one.uniforms)} uniforms" for one in found.passes]
     lines += [f"vertices    {sum(found.vertices.values())}: {listed(f'{n} {v}' for n, v in found.vertices.items())}"]

@@ -151,6 +151,11 @@ class Scene:
     decided: tuple[str, ...] = ()  # choices, each a line `uniform int NAME;`, constant in a program
     brush: bool = False  # a click picks the normal `vec3 shading_normal(Surface s)` as display/brush.glsl means it
 
+    @property
+    def of_the_user(self) -> tuple[str, ...]:
+        """Whole uniforms that no value of the step sets: 1 where a map, or the mesh's coordinates, are the user's."""
+        return *(table.given for table in self.tables if table.given), "own_coordinates"
+
 
 @dataclass(frozen=True)
 class Readout(Worded):
@@ -279,7 +284,7 @@ class ImageSlice:
 class Method:
     """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
     whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
-    arguments in the step, or what `sets` says, "N" standing for the samples."""
+    arguments in the step, or what `sets` says, "N" standing for the samples and "rung" for its place on the ladder."""
 
     label: str
     rule: str = ""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterator
 from typing import get_args
 
 from app import breaking, edit, leaving, prose, shader
-from app.catalog import Loaded, LoadedStep, spec_of, terms, unknown_uniform, unknown_uniforms
+from app.catalog import Loaded, LoadedStep, spec_of, terms, undecidable, unknown_uniform, unknown_uniforms
 from app.lesson import Colour, Curves, Faces, Ledger, ModelPlot, Number, Scene
 from app.optics import arguments, names
 from app.problem import Problem, near
@@ -151,6 +151,9 @@ def term_faults(found: LoadedStep) -> Faults:
     if step.scene.dots and isinstance(step.scene.dots.count, str) and step.scene.dots.count not in TABLE:
         whole = False
         yield "Dots(", f"the dots are counted by {step.scene.dots.count}, which is no quantity."
+    if wrong := undecidable(step):
+        whole = False
+        yield "decided=", wrong
     if whole:
         yield from setting_faults(found)
 

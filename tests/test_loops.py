@@ -160,7 +160,12 @@ def test_a_file_ends_at_some_values_only(tmp_path, ctx):
     path.write_text(FILE, "utf-8")
     found = board_step.step(str(path))
     stage, camera = Stage(ctx, edit.source_of(found)), found.step.scene.camera
+    stage.draw(defaults(found), camera, (96, 64), THEMES["dark"])
     watch(stage, defaults(found), camera)
+    with pytest.raises(Problem, match=r"x\.brdf, line 9: this loop never ends"):
+        watch(stage, defaults(found) | {"model0_k": 1.0}, camera)
+    while stage.settle(defaults(found), camera, THEMES["dark"]):  # every surface in a program of its own
+        pass
     with pytest.raises(Problem, match=r"x\.brdf, line 9: this loop never ends"):
         watch(stage, defaults(found) | {"model0_k": 1.0}, camera)
     assert stage.scene.texts[0].text.count("while (") == 1 and loops.COUNT not in stage.scene.texts[0].text

@@ -17,11 +17,12 @@ from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark, Surface
 from app.mesh_edges import corner_normals
 from app.problem import Problem
-from app.shader import Overrides
+from app.shader import Assembled, Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
 
 
@@ -41,7 +42,7 @@ class Stage:
         self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
         self.others: dict[tuple[int, ...], tuple] = {}  # programs and watched of other choices, the latest last
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
-        self.passing: dict = {}  # programs of texts that are being edited
+        self.passing: dict = {}  # programs of its own
         self.watched: Programs = {}  # those with a loop of the user's
         with ctx:
             self.choice |= self.chosen(values or {})
@@ -66,6 +67,9 @@ class Stage:
             self.others[tuple(before.values())] = self.programs, self.watched
             known = self.others.pop(tuple(choice.values()), None)
             self.programs, self.watched = known or (self.compiled(None), self.watched)
+            if len(self.others) > KEPT:
+                self.others.pop(next(iter(self.others)))
+            self.let_go()
             self.hold_mesh()
 
     def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
@@ -109,18 +113,20 @@ class Stage:
             return False
         todo, use = next(iter(shared.items()))
         choice = {} if self.source.overrides else self.choice
-        vertex, fragment = self.texts((use,), choice | {"surface": todo})[use]
+        vertex, fragment = pair = self.texts((use,), choice | {"surface": todo})[use]
         with self.ctx:
             own = program(self.ctx, vertex, fragment, (), self.passing_now)
         self.programs[f"{use} {todo}"] = own
+        if has_loops(pair):
+            self.watched[f"{use} {todo}"] = pair
         for fine, counted in ((False, False), (False, True), (True, False)):
             self.draw(values, camera, self.picture.size, theme, fine, counted)
         return True
 
     @property
     def passing_now(self) -> dict | None:
-        """Where the programs of a text that is being edited are kept."""
-        return self.passing if self.source.overrides else None
+        """Where programs of its own are kept: of a text that is being edited, of a choice made later."""
+        return self.passing if self.source.overrides or self.others else None
 
     def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
         found: dict[str, moderngl.Program] = {}
@@ -136,9 +142,9 @@ class Stage:
                           if program_of(s) == name}
             for called, known in wanted.items():
                 vertex, fragment = pair = self.texts((name,), known)[name]
-                if any(part and loops.COUNT in part.text for part in pair):
-                    watched[name] = pair
-                values = () if fragment else ("value", "v_endless") if name in watched else ("value",)
+                if has_loops(pair):
+                    watched[called] = pair
+                values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
                 found[called] = program(self.ctx, vertex, fragment, values, self.passing_now)
         if names is None:
             self.watched = watched
@@ -240,8 +246,8 @@ class Stage:
         """All that a picture depends on. From now on probes answer for it, and at once: they wait for what is drawn."""
         with self.ctx:
             self.picture.resize(size)
-            self.take_tables(values)
             self.decide(values)
+            self.take_tables(values)
             self.set_uniforms(values, camera, theme)
 
     def paint(self, values: dict, target: moderngl.Framebuffer) -> None:
@@ -264,12 +270,17 @@ class Stage:
         target.depth_mask = True
         ctx.enable_only(moderngl.NOTHING)
 
+    def drawn_by(self, i: int, suffix: str = "") -> str:
+        """The program of a surface: its own, or the one it shares."""
+        kind = program_of(self.scene.surfaces[i])
+        own = f"{kind} {suffix or i}"
+        return own if own in self.programs else kind
+
     def paint_surface(self, i: int, suffix: str = "") -> None:
         surface = self.scene.surfaces[i]
         if f"surface {i}" not in self.geometry:
             return
-        name = f"{program_of(surface)} {suffix or i}"
-        name = name if name in self.programs else program_of(surface)
+        name = self.drawn_by(i, suffix)
         self.bind_data(self.programs[name])
         give(self.programs[name], surface=i, opacity=surface.opacity)
         array = self.array(name, f"surface {i}")
@@ -360,6 +371,11 @@ class Stage:
             self.picture.release()
             for use in self.passing.values():
                 use.release()
+
+
+def has_loops(pair: tuple[Assembled, Assembled | None]) -> bool:
+    """Whether there are loops of the user's in a program."""
+    return any(part is not None and loops.COUNT in part.text for part in pair)
 
 
 def program_of(surface: Surface) -> str:

@@ -22,5 +22,6 @@ def give(use: moderngl.Program, **values) -> None:
 def on_gpu(scene: Scene, values: dict) -> dict:
     """The step's values as uniforms, and which maps are the user's; data that is no uniform (a mesh) stays behind."""
     found = {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
-    return found | {table.given: int(values[table.uniform][0, 0, 3] > 0) for table in scene.tables
-                    if table.given and table.uniform in values}
+    found |= {table.given: int(values[table.uniform][0, 0, 3] > 0) for table in scene.tables
+              if table.given and table.uniform in values}
+    return found | {"own_coordinates": int("texture_coordinates" in values)}

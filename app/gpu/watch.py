@@ -7,7 +7,7 @@ import numpy as np
 
 from app import camera as orbit
 from app.gpu.context import endless
-from app.gpu.stage import Stage, program_of
+from app.gpu.stage import Stage
 from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera
 from app.shader import Assembled
@@ -17,9 +17,11 @@ SIZE = 48, 27
 
 def watch(stage: Stage, values: dict, camera: Camera) -> None:
     """A Problem at the user's line where a loop was left; nothing where no text has a loop."""
+    ctx, scene = stage.ctx, stage.scene
+    with ctx:
+        stage.decide(values)
     if not stage.watched:
         return
-    ctx, scene = stage.ctx, stage.scene
     given = {"view_projection": orbit.view_projection(camera, SIZE[0] / SIZE[1]).T.astype("f4").tobytes(),
              "viewport": SIZE, "camera_position": tuple(orbit.position(camera)), "dot_size": 1.0}
     with ctx:
@@ -34,8 +36,8 @@ def watch(stage: Stage, values: dict, camera: Camera) -> None:
         try:
             for name, pair in stage.watched.items():
                 target.clear()
-                for i, surface in enumerate(scene.surfaces):
-                    if program_of(surface) == name:
+                for i in range(len(scene.surfaces)):
+                    if stage.drawn_by(i) == name:
                         stage.paint_surface(i)
                 if name == "dots":
                     stage.paint_dots(values)

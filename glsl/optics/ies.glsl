@@ -14,8 +14,7 @@ vec3 ies_place(sampler2D table, int row, float angle) {
         a = c;
         b = d;
     }
-    for (int i = 0; i < 12; i++) { // halves at most 3601 angles
-        if (high - low < 2) break;
+    while (high - low > 1) { // a counted loop would be unrolled, and run to its end by every pixel of a CPU
         int middle = (low + high) / 2;
         float m = texelFetch(table, ivec2(middle, row), 0).x;
         if (m <= angle) {

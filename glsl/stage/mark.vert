@@ -17,26 +17,26 @@ uniform int length_steps;  // 0 where nothing depends on the whole length
 
 void main() {
     float t = stage_corner.z > 0.5 ? 1.0 : stage_corner.x;
-    vec3 here = vec3(0.0), before = here;
+    vec3 here = vec3(0.0), pen_before = here;
     vec2 along = vec2(0.0);
-    float way = 0.0, whole = 0.0; // so far, pixels
+    float pen_way = 0.0, pen_whole = 0.0; // so far, pixels
     // One loop with one call: a compiler puts the scene's mark_point into every place that calls it.
     for (int i = -3; i <= max(measure_steps, length_steps > 0 ? measure_steps + 1 + length_steps : 0); i++) {
-        int piece = i > measure_steps ? i - measure_steps - 1 : i, pieces = i > measure_steps ? length_steps : measure_steps;
-        float at = i == -3 ? t : i == -2 ? min(t + 0.01, 1.0) : i == -1 ? max(t - 0.01, 0.0) : 0.0;
-        if (piece > 0) at = (i > measure_steps ? 1.0 : t) * float(piece) / float(pieces);
-        vec3 now = on_screen(at);
-        if (i == -3) here = now;
-        if (i == -2) along = now.xy;
-        if (i == -1) along -= now.xy;
-        if (piece > 0 && i > measure_steps) whole += length(now.xy - before.xy);
-        else if (piece > 0) way += length(now.xy - before.xy);
-        before = now;
+        int pen_piece = i > measure_steps ? i - measure_steps - 1 : i, pen_pieces = i > measure_steps ? length_steps : measure_steps;
+        float pen_at = i == -3 ? t : i == -2 ? min(t + 0.01, 1.0) : i == -1 ? max(t - 0.01, 0.0) : 0.0;
+        if (pen_piece > 0) pen_at = (i > measure_steps ? 1.0 : t) * float(pen_piece) / float(pen_pieces);
+        vec3 pen_now = on_screen(pen_at);
+        if (i == -3) here = pen_now;
+        if (i == -2) along = pen_now.xy;
+        if (i == -1) along -= pen_now.xy;
+        if (pen_piece > 0 && i > measure_steps) pen_whole += length(pen_now.xy - pen_before.xy);
+        else if (pen_piece > 0) pen_way += length(pen_now.xy - pen_before.xy);
+        pen_before = pen_now;
     }
     along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
     vec2 across = vec2(-along.y, along.x);
-    v_length = length_steps > 0 ? whole : 1e9;
-    vec2 pen = vec2(way, stage_corner.y * (0.5 * line_width + 1.0));
+    v_length = length_steps > 0 ? pen_whole : 1e9;
+    vec2 pen = vec2(pen_way, stage_corner.y * (0.5 * line_width + 1.0));
     vec2 place = here.xy + across * pen.y;
     if (stage_corner.z > 0.5) {
         pen = vec2(stage_corner.x * 2.0 - 1.0, stage_corner.y) * tip_size;

@@ -1,10 +1,11 @@
 #include "stage/triangles.glsl"
-uniform sampler2D texture_coordinates; // s, t and 1 of each corner; 0 where the mesh has none
+uniform sampler2D texture_coordinates; // s and t of each corner
+uniform int own_coordinates; // 1: the mesh has them
 
 // Where on its maps a point p of a face of the mesh lies; without coordinates of its own they are laid on from the six
 // sides of a cube, each point from the side that its normal n looks at.
 vec2 texture_coordinate(vec3 p, vec3 n, int face) {
-    if (texelFetch(texture_coordinates, ivec2(0), 0).z < 0.5) {
+    if (own_coordinates == 0) {
         vec3 size = abs(n);
         vec2 at = size.x > max(size.y, size.z) ? p.yz : size.y > size.z ? p.xz : p.xy;
         return 0.5 + 0.5 * at;

@@ -1,6 +1,8 @@
 """Frames of 512 x 512 of every scene, ended with glFinish: without it llvmpipe has not drawn anything yet."""
 
-from itertools import count
+import os
+from dataclasses import replace
+from itertools import count, cycle
 
 from app import catalog, edit
 from app.export.still import data
@@ -14,6 +16,7 @@ from tests.bench.rows import Job, Row, in_turn, timed
 
 SIZE = (512, 512)
 EDITED = "microfacets/cook_torrance"
+FLIPPED = {"lights/area_sampled": "sampling", "lights/area_work": "sampling", "plausible_shading/board": "shows"}
 ASKED, ASKED_OF_A_BALL = 3.0, 2.0
 BALL = """
 #include "display/balls.glsl"
@@ -43,7 +46,33 @@ def jobs() -> dict[str, Job]:
         for fine in (False, True):
             what = "at rest (4 samples)" if fine else "moving"
             found[f"{step.id}, {what}"] = frame(stage, values, step.step.scene.camera, fine)
+    found |= {f"{id}, {name} chosen anew": flipped(catalog.step(id), name) for id, name in FLIPPED.items()}
+    found |= {f"{id}, asked at every pixel": asking(catalog.step(id)) for id in FLIPPED}
     return found | {f"{EDITED}, {name} typed": edited(catalog.step(EDITED), name) for name in ("d_beckmann", "shade")}
+
+
+def flipped(step: catalog.LoadedStep, name: str) -> Job:
+    """From a click on a choice that a scene decides to the picture: each time it is compiled."""
+    values, scene = defaults(step), step.step.scene
+    numbers = cycle([i for i in range(len(step.values[name].choices)) if i != values[name]])
+    values |= data(step, values)
+    stage = Stage(context(), Source(scene, step.file_name, step.glsl_line), values.get("triangles"), values)
+
+    def click() -> None:
+        stage.others.clear()
+        stage.let_go()
+        stage.draw(values | {name: next(numbers)}, scene.camera, SIZE, THEMES["dark"], False, counted=False)
+        stage.ctx.finish()
+
+    return timed(click)
+
+
+def asking(step: catalog.LoadedStep) -> Job:
+    """The same picture, moving, by programs that ask at every pixel what is chosen."""
+    values, scene = defaults(step), replace(step.step.scene, decided=())
+    values |= data(step, values)
+    stage = Stage(context(), Source(scene, step.file_name, step.glsl_line), values.get("triangles"))
+    return frame(stage, values, scene.camera, False)
 
 
 def edited(step: catalog.LoadedStep, name: str) -> Job:
@@ -71,7 +100,8 @@ def frame(stage: Stage, values: dict, camera: Camera, fine: bool) -> Job:
 
 
 def frames(rounds: int = 25) -> list[Row]:
-    """An empty frame is the reference."""
+    """An empty frame is the reference. No program comes from a compilation of yesterday."""
+    os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
     made = jobs()
     asked = {name: ASKED_OF_A_BALL if "ball" in name else ASKED for name in made if name.endswith("moving")}
     return in_turn(made, rounds, asked=asked)

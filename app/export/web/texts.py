@@ -76,7 +76,7 @@ def declarations(text: str) -> list[str]:
 
 def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     """A scene as the stage of a page plays it; colours, lines and tips by their numbers, as the shaders know them."""
-    none = {table.given: 0 for table in one.tables if table.given}  # a page has no maps of a user's
+    none = {name: 0 for name in one.decided if name in one.of_the_user}  # a page has no files of a user's
     texts = programs(one, file, first, shader.WEB, known=none)
     named = [(i, mark) for i, mark in enumerate(one.marks) if mark.label]  # their points come first, then the probes
     words = [{"text": label.text, "ink": label.colour, "at": len(named) + label.probe, "gap": 0}

@@ -32,7 +32,7 @@ function working(page) {
     page.schedule();
   }));
   for (const box of all(".break input")) box.addEventListener("change", () => breaking(page, box));
-  const sized = new ResizeObserver(() => page.schedule());
+  const sized = new ResizeObserver(() => page.frames && page.schedule()); // it speaks up at the beginning too
   for (const id of ["picture", "plots"]) sized.observe($(id));
 }
 

@@ -28,6 +28,7 @@ class Page {
     questioning(this);
     conversing(this);
     clicking();
+    this.draw();
   }
 
   // --- values --------------------------------------------------------------------------------------------------------
@@ -76,20 +77,18 @@ class Page {
   }
 
   // --- drawing -------------------------------------------------------------------------------------------------------
-  schedule() {
-    this.waiting ||= requestAnimationFrame(() => {
-      this.waiting = 0;
-      this.draw();
-    });
-  }
+  schedule() { this.waiting ||= requestAnimationFrame(() => this.draw()); }
 
   // The picture at once and with hard edges; its numbers and plot once it is shown; soft edges when nothing moves.
   draw() {
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
     if (this.gpu.lost) return;
     this.picture(false);
     clearTimeout(this.resting);
     this.badges?.moved();
-    this.after ||= setTimeout(() => {
+    const seen = this.frames ? setTimeout : act => requestAnimationFrame(() => setTimeout(act));
+    this.after ||= seen(() => {
       this.after = 0;
       if (!this.frames) this.name();
       this.tell();
@@ -104,7 +103,7 @@ class Page {
   }
 
   // Words first: their answer waits for what was drawn before. Where that is long, a moving picture has half the rows.
-  // The very first picture does without, because it would wait for the words' programs.
+  // The very first picture does without: it would wait for their programs.
   picture(fine) {
     const scale = this.stage.aim(fine || !this.heavy ? 1 : 0.5), start = performance.now();
     if (this.frames) this.name();

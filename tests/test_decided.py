@@ -1,0 +1,265 @@
+"""Choices that are decided when a program is compiled: the same picture, no uniform, a compilation for each flip."""
+
+from dataclasses import replace
+
+import moderngl
+import numpy as np
+import pytest
+
+from app import edit
+from app.catalog import step, steps, values_of
+from app.export.still import data
+from app.export.web.content import content
+from app.gpu.pick import raw
+from app.gpu.stage import KEPT, Stage
+from app.gpu.stage_text import Source, programs
+from app.inspection import inspect
+from app.inspection import words as inspected
+from app.lesson import Value
+from app.maps import OwnMap
+from app.problem import Problem
+from app.pruning import decide
+from app.shader import Source as Text
+from app.shader import blocks_of
+from app.state import defaults
+from app.theme import THEMES
+from app.validation import faults
+
+DECIDED = [found for found in steps() if found.step.scene.decided]
+WORK, UNITS = step("lights/area_work"), step("lights/area_units")
+SIZE, DARK = (96, 72), THEMES["dark"]
+
+
+def whole(found) -> dict:
+    values = defaults(found)
+    return values | data(found, values)
+
+
+def on_stage(found, values, ctx, **changes) -> Stage:
+    scene = replace(found.step.scene, **changes)
+    return Stage(ctx, Source(scene, found.file_name, found.glsl_line), values.get("triangles"), values)
+
+
+def picture(stage, values) -> np.ndarray:
+    stage.draw(values, stage.scene.camera, SIZE, DARK, fine=False)
+    assert not stage.picture.faults()
+    return stage.picture.pixels().astype(int)
+
+
+@pytest.fixture
+def compiled(monkeypatch, ctx) -> list[str]:
+    """The texts that are handed to OpenGL from now on; nothing is taken from earlier."""
+    texts: list[str] = []
+    real = moderngl.Context.program
+
+    def watched(self, *, vertex_shader, fragment_shader=None, **more):
+        texts.append(vertex_shader + (fragment_shader or ""))
+        return real(self, vertex_shader=vertex_shader, fragment_shader=fragment_shader, **more)
+
+    monkeypatch.setattr(moderngl.Context, "program", watched)
+    monkeypatch.setattr(ctx, "extra", {})
+    return texts
+
+
+def test_some_steps_decide():
+    assert {"lights/area_sampled", "lights/area_work", "plausible_shading/board"} <= {found.id for found in DECIDED}
+
+
+@pytest.mark.parametrize("found", DECIDED, ids=lambda found: found.id)
+def test_the_picture_is_the_same_for_every_choice(found, ctx):
+    values = whole(found)
+    asked, ready = on_stage(found, values, ctx, decided=()), on_stage(found, values, ctx)
+    seen = []
+    for name in found.step.scene.decided:
+        for number in range(len(found.values[name].choices) if name in found.values else 0):
+            now = values | {name: number}
+            seen.append(picture(ready, now))
+            assert np.abs(seen[-1] - picture(asked, now)).max() <= 1, (name, number)
+            assert np.allclose(ready.probes(now), asked.probes(now), atol=1e-5)
+    for table in found.step.scene.tables:
+        texels = np.random.default_rng(3).integers(100, 256, (8, 8, 4)).astype(np.uint8)
+        texels[..., 3] = 255
+        now = values | {table.uniform: OwnMap(table.map, "my own", texels, "").texels}
+        seen.append(picture(ready, now))
+        assert np.abs(seen[-1] - picture(asked, now)).max() <= 1, table.map
+        assert np.abs(seen[-1] - picture(ready, values)).max() > 20, "the map is seen"
+    assert max(np.abs(one - seen[0]).max() for one in seen[1:]) > 20, "a choice is seen"
+    asked.release()
+    ready.release()
+
+
+def test_a_flip_compiles_what_has_changed_and_its_way_back_nothing(ctx, compiled):
+    values = whole(WORK)
+    stage = on_stage(WORK, values, ctx)
+    first = len(compiled)
+    picture(stage, values)
+    assert len(compiled) == first == len(stage.programs), "its programs, and each once"
+    for name in ("light_shape", "sampling"):
+        assert not any(f"uniform int {name};" in text for text in compiled)
+    assert sum("const int sampling = 2;" in text for text in compiled) == 2, "the floor's and the dots'"
+    flipped = values | {"sampling": 5}
+    picture(stage, flipped)
+    assert len(compiled) == first + 2
+    for now in (values, flipped, values | {"level": 3}):
+        picture(stage, now)
+    assert len(compiled) == first + 2
+    stage.release()
+
+
+def test_few_choices_are_kept_and_others_released(ctx, compiled):
+    values = whole(UNITS)
+    stage = on_stage(UNITS, values, ctx)
+    scene_programs = dict(stage.programs)
+    for number in (1, 2, 3, 0, 1, 2, 3):
+        picture(stage, values | {"light_shape": number})
+    assert len(stage.others) == 3 <= KEPT
+    own = list(stage.passing.values())
+    stage.others.clear()
+    stage.let_go()
+    assert sum(type(use.mglo).__name__ == "InvalidObject" for use in own) > 3
+    assert picture(stage, values).std() > 5 and dict(stage.programs) == scene_programs
+    stage.release()
+
+
+def test_the_values_of_the_first_picture_are_decided_at_once(ctx, compiled):
+    values = whole(WORK) | {"sampling": 4, "light_shape": 3}
+    stage = on_stage(WORK, values, ctx)
+    first = len(compiled)
+    picture(stage, values)
+    assert len(compiled) == first and any("const int sampling = 4;" in text for text in compiled)
+    stage.release()
+
+
+def test_a_text_that_is_edited_is_right_for_every_choice(ctx, compiled):
+    known, source, values = edit.functions(WORK), edit.source_of(WORK), whole(WORK)
+    stage = Stage(ctx, source, None, values)
+    text = known["sample_share"].text.replace("to_sample.z /", "2.0 * to_sample.z /")
+    before = picture(stage, values)
+    stage.rewrite(edit.overrides({"sample_share": text}, known, source))
+    edited = picture(stage, values)
+    assert np.abs(edited - before).max() > 20
+    count = len(compiled)
+    assert np.abs(picture(stage, values | {"light_shape": 1}) - edited).max() > 20
+    assert len(compiled) == count, "no choice is compiled anew"
+    stage.rewrite(())
+    plain = on_stage(WORK, values, ctx, decided=())
+    now = values | {"light_shape": 1}
+    assert np.abs(picture(stage, now) - picture(plain, now)).max() <= 1
+    stage.release()
+    plain.release()
+
+
+def test_a_picked_pixel_follows_a_choice(ctx):
+    board = step("plausible_shading/board")
+    values = whole(board)
+    stage, plain = on_stage(board, values, ctx), on_stage(board, values, ctx, decided=())
+    camera = board.step.scene.camera
+    for number in (0, 6):
+        ours, theirs = (raw(one, values | {"shows": number}, camera, DARK, (24, 18)) for one in (stage, plain))
+        for a, b in zip(ours, theirs, strict=True):
+            assert np.allclose(a, b, atol=1e-4)
+    stage.release()
+    plain.release()
+
+
+@pytest.mark.parametrize(("decided", "sentence"), [
+    ("no_such", "the scene decides no_such, which is no choice"),
+    ("panel_width", "the scene decides panel_width, which is no choice"),
+    ("level", "the scene decides level, which is no choice"),
+    ("shape", "its GLSL has no line `uniform int shape;`"),
+])
+def test_what_cannot_be_decided_is_refused(decided, sentence):
+    scene = replace(WORK.step.scene, decided=(decided,))
+    more = (Value("shape", 0, choices=("this", "that")),) if decided == "shape" else ()
+    wrong = replace(WORK, step=replace(WORK.step, scene=scene, values=(*WORK.step.values, *more)))
+    with pytest.raises(Problem, match=sentence.replace(".", r"\.")):
+        values_of(wrong.step)
+    assert any(sentence in said for _, said in faults(wrong))
+
+
+def test_a_page_is_told_what_is_decided():
+    scene = content(WORK)["scene"]
+    assert scene["decided"] == ["light_shape", "sampling"]
+    lines = {line for pair in scene["programs"].values() for text in pair for line in text.split("\n")}
+    assert {"uniform int light_shape;", "uniform int sampling;"} <= lines
+    plate = content(step("plausible_shading/texturing"))["scene"]
+    text = "".join(part for pair in plate["programs"].values() for part in pair)
+    assert plate["decided"] == [] and "own_albedo;" not in text and "albedo_map" not in text, "a page has no maps"
+
+
+def test_inspect_tells_what_is_decided_and_compiled():
+    found = inspect(WORK, defaults(WORK) | {"light_shape": 1})
+    assert found.decided == {"light_shape": "disk", "sampling": "stratified"}
+    assert "irradiance_disk_light" in found.functions and "irradiance_outline" in found.functions_left_out
+    assert not {"light_shape", "sampling"} & set(found.uniforms) and found.faults == ()
+    assert "decided     light_shape = disk, sampling = stratified" in inspected(found)
+
+
+# --- the text --------------------------------------------------------------------------------------------------------
+def shortened(text: str, **known: int) -> str:
+    """The code that is left, in one line, its blanks squeezed."""
+    made = decide(list(blocks_of(Text(text, "test"))), known)
+    assert sum(len(part.lines) for part in made) == text.count("\n") + 1, "lines keep their numbers"
+    return " ".join(" ".join(line.text for part in made for line in part.lines).split())
+
+
+HEAD = "uniform int kind;\nfloat f() {\n"
+
+
+@pytest.mark.parametrize(("code", "kind", "left"), [
+    ("if (kind == 1) return 1.0;\nreturn 2.0;\n}", 1, "return 1.0; }"),
+    ("if (kind == 1) return 1.0;\nreturn 2.0;\n}", 0, "; return 2.0; }"),
+    ("if (kind == 1) return 1.0;\nelse return g();\n}", 1, "return 1.0; }"),
+    ("if (kind == 1) { a(); } else if (kind == 2) { b(); } else { c(); }\nd();\n}", 2, "{ b(); } d(); }"),
+    ("if (kind > 0 && x > 1.0) return 1.0;\nreturn 2.0;\n}", 0, "; return 2.0; }"),
+    ("if (kind > 0 && x > 1.0) return 1.0;\nreturn 2.0;\n}", 1, "if (kind > 0 && x > 1.0) return 1.0; return 2.0; }"),
+    ("if (kind % 3 != 0 || x > 1.0) a();\nb();\n}", 1, "a(); b(); }"),
+    ("return kind == 0 ? g(1.0) : kind == 1 ? h(2.0) : i(3.0);\n}", 1, "return h(2.0) ; }"),
+    ("return x > 0.0 ? kind == 1 ? a : b : c;\n}", 0, "return x > 0.0 ? b : c; }"),
+    ("float t = kind == 1 ? 0.0 : tilt, c = cos(t);\nreturn t;\n}", 0, "float t = tilt, c = cos(t); return t; }"),
+    ("for (int i = 0; i < (kind == 2 ? 8 : 0); i++) { if (kind == 2) continue; a(); }\nb();\n}", 2,
+     "for (int i = 0; i < ( 8 ); i++) { continue; } b(); }"),
+    ("if (!(kind == 1)) a(); // kind == 1\nb();\n}", 1, "; // kind == 1 b(); }"),
+    ("if (kind == 1.0) a();\nb();\n}", 1, "if (kind == 1.0) a(); b(); }"),
+    ("int kind = 3;\nif (kind == 1) a();\nb();\n}", 1, "int kind = 3; if (kind == 1) a(); b(); }"),
+    ("if (s.kind == 1) a();\nb();\n}", 1, "if (s.kind == 1) a(); b(); }"),
+])
+def test_a_decided_branch_goes(code, kind, left):
+    assert shortened(HEAD + code, kind=kind) == f"const int kind = {kind}; float f() {{ {left}"
+
+
+@pytest.mark.parametrize(("calls", "is_known"), [
+    ("f(kind)", True), ("f(kind) + g(kind)", True), ("f(2)", False), ("f(kind) + f(2)", False), ("f(kind + 1)", False),
+])
+def test_a_parameter_is_known_where_every_call_hands_it_on(calls, is_known):
+    text = ("uniform int kind;\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
+            f"float g(int kind) {{ return f(kind); }}\nfloat h() {{ return {calls}; }}")
+    assert ("b()" not in shortened(text, kind=1)) == is_known
+
+
+def test_a_parameter_handed_on_by_one_who_does_not_know_it_is_unknown():
+    text = ("uniform int kind;\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
+            "float g(int kind) { return f(kind); }\nfloat h() { return g(3); }")
+    assert "a() : b()" in shortened(text, kind=1)
+
+
+def test_what_a_macro_calls_is_left_alone():
+    text = ("uniform int kind;\n#define CALL f(3)\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
+            "float h() { return f(kind) + CALL; }")
+    assert "a() : b()" in shortened(text, kind=1)
+
+
+def test_a_surface_knows_its_number_unless_another_is_made():
+    text = "vec3 shade(Surface s) { return s.id == 1 ? a() : b(); }\nvoid main() { x = shade(Surface(surface, y)); }"
+    assert "b()" not in shortened(text, surface=1)
+    assert "b()" in shortened(text.replace("Surface(surface, y)", "Surface(2, y)"), surface=1)
+    assert "b()" in shortened(text.replace("{ return", "{ s.id = 3; return"), surface=1)
+
+
+def test_a_surfaces_program_has_only_what_it_is_coloured_by():
+    """The scales of a floor need nothing of its light."""
+    known = {"light_shape": 0, "sampling": 2}
+    floor, scale = (programs(WORK.step.scene, names=("surface",), known=known | {"surface": i})["surface"][1]
+                    for i in (0, 1))
+    assert "irradiance_light_sampled" in floor.kept and "irradiance_light_sampled" in scale.left_out
+    assert len(scale.text) < 0.25 * len(floor.text)
