@@ -99,7 +99,7 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <details id="more" class="rows"{"" if more else " hidden"}><summary>more</summary>{rows(more)}</details>
 </section>
 <section class="side" aria-label="Numbers">
-<dl id="numbers">{numbers(step.readouts)}</dl>
+<dl id="numbers">{numbers(found)}</dl>
 {badges(content)}
 {figures(content["plots"], len(step.plots), shown)}
 {ask(step.ask)}

@@ -44,6 +44,7 @@ function breaking(page, box) {
   Object.assign(page, {readouts: now.readouts, put: now.put});
   page.stage.scene = now.scene;
   page.stage.begin();
+  for (const row of all("#numbers > div")) row.hidden = row.dataset.broken !== (box.checked ? box.value : "");
   $("broken").textContent = now.told;
   page.change(now.sets);
 }

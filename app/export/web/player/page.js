@@ -129,7 +129,7 @@ class Page {
     const exact = Object.fromEntries(readouts.map(({label}, i) => [label, sizes[i]]));
     this.numbers = readouts.map(({label, unit, absent}, i) =>
       ({label, value: sizes[i], text: absent && Number.isNaN(sizes[i]) ? absent : written(sizes[i], unit)}));
-    all("#numbers dd").forEach((cell, i) => {
+    all("#numbers > :not([hidden]) dd").forEach((cell, i) => {
       const {unit, against} = readouts[i], {text, value} = this.numbers[i], [number, error] = cell.children;
       cell.title = `${value} ${unit} (float32)`;
       number.textContent = text;
