@@ -35,7 +35,7 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--poster", action=BooleanOptionalAction, default=True,
                         help="a still beside each page and in it, for slides and browsers without WebGL2")
     parser.add_argument("--film", action=BooleanOptionalAction,
-                        help="a film (GIF) beside each page, for slides: a second a step, so not with --all unless asked")
+                        help="a film (GIF) beside each page, for slides: a second a step, with --all if asked for")
 
 
 def run(options: Namespace) -> int:
