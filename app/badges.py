@@ -38,6 +38,15 @@ SHORT = dict(zip(NAMES, ("≥ 0", "swap", "≤ 1", "finite", "linear"), strict=T
 ASKED = dict(zip(NAMES, ("Is it nowhere negative?", "Can light and eye be swapped?",
                          "Does it send on at most what comes, for every angle?",
                          "Is it finite, also where it is extreme?", "Is it in proportion to the light?"), strict=True))
+TOLD = {  # kept, and not
+    "non_negative": ("It is nowhere negative.", "It is negative: {worst}{at}."),
+    "reciprocal": ("Light and eye can be swapped.", "Swap light and eye, and {percent} % of it goes{at}."),
+    "energy": ("It sends on at most {worst} of the light that comes{at}.",
+               "It sends on {worst} times the light that comes{at}."),
+    "finite": ("It is finite, also at grazing angles.", "It is no number, or infinite{at}."),
+    "linear": ("Twice the light gives twice the answer.",
+               "It is not in proportion to the light: off by {percent} %{at}.")}
+PLACES = {"theta_l": "θ of the light", "theta_v": "θ of the eye", "phi": "φ"}
 UNKNOWN = {"non_negative": "It is no number, or endlessly negative", "reciprocal": "One way round it is no number",
            "energy": "What it sends on is no number, or endless", "linear": "For some light it is no number"}
 SAME, MOST = 1e-6, 1 + 1e-3  # a relative difference, an albedo that still pass
@@ -207,26 +216,14 @@ def key(model: Model, values: dict) -> tuple:
 def told(name: str, badge: Badge) -> str:
     """A sentence for a person, with the worst value and its angles."""
     worst, at = math.nan if badge.worst is None else badge.worst, place(badge)
-    if badge.worst is None and not badge.ok and name != "finite":
+    if badge.worst is None and not badge.ok and name in UNKNOWN:
         return f"{UNKNOWN[name]}{at}."
-    if name == "non_negative":
-        return "It is nowhere negative." if badge.ok else f"It is negative: {three(worst)}{at}."
-    if name == "reciprocal":
-        return ("Light and eye can be swapped." if badge.ok else
-                f"Swap light and eye, and {100 * worst:.0f} % of it goes{at}.")
-    if name == "energy":
-        return (f"It sends on at most {three(worst)} of the light that comes{at}." if badge.ok else
-                f"It sends on {three(worst)} times the light that comes{at}.")
-    if name == "finite":
-        return "It is finite, also at grazing angles." if badge.ok else f"It is no number, or infinite{at}."
-    return ("Twice the light gives twice the answer." if badge.ok else
-            f"It is not in proportion to the light: off by {100 * worst:.0f} %{at}.")
+    return TOLD[name][not badge.ok].format(worst=three(worst), percent=f"{100 * worst:.0f}", at=at)
 
 
 def place(badge: Badge) -> str:
     """', at θ_l = 59°, θ_v = 88°, φ = 173°'."""
-    names = {"theta_l": "θ of the light", "theta_v": "θ of the eye", "phi": "φ"}
-    parts = [f"{names[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items() if name in names]
+    parts = [f"{PLACES[name]} {math.degrees(value):.4g}°" for name, value in badge.at.items() if name in PLACES]
     return f", at {', '.join(parts)}" if parts else ""
 
 

@@ -284,7 +284,7 @@ class ImageSlice:
 class Method:
     """A way to the quantity of a study: a `rule` of app/study, points and a map like "sobol importance"; or a twin
     whose argument `cost` grows along the `ladder` (`level`: 4^level samples). A click on a point sets the twin's
-    arguments in the step, or what `sets` says, "N" standing for the samples."""
+    arguments in the step, or what `sets` says, "N" standing for the samples and "rung" for its place on the ladder."""
 
     label: str
     rule: str = ""

@@ -6,6 +6,10 @@ class Problem(Exception):
 
     code = 1
 
+    def _render_traceback_(self) -> list[str]:
+        """What a notebook shows of it, in place of the way through our code."""
+        return [f"halfway: {self}"]
+
 
 class Usage(Problem):
     """The person asked for something that does not exist or is out of range; the exit code is 2."""

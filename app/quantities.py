@@ -172,6 +172,7 @@ TABLE: dict[str, Quantity] = {
     "eta": Quantity(r"\eta", "", 1.0, 3.0, 1.5, "index of the far side over the near side's", (0.35, 10.0), "log"),
     "k": Quantity("k", "", 0.0, 10.0, 3.0, "extinction: the imaginary part of a metal's index", extreme=(0.0, 30.0)),
     "f0": Quantity("F_0", "", 0.0, 0.95, 0.04, "share reflected at normal incidence", extreme=(0.0, 0.99)),
+    "f_average": Quantity(r"F_{avg}", "", 0.0, 1.0, 0.5, "share of diffuse light reflected"),
     "f82": Quantity("F_{82}", "", 0.0, 1.0, 0.5, "share reflected at 82 degrees, l.h = 1/7"),
     "polariser": Quantity(r"\psi", "rad", 0.0, PI / 2, 0.0, "turn of the polariser before the eye"),
     "material": Quantity("i", "", 0, 9, 5, "which row of the tables of materials", kind="int"),

@@ -12,6 +12,7 @@ import numpy as np
 
 from app.optics import twin
 from app.optics.blinn_phong import _flux as _blinn_flux
+from app.optics.bounces import _bounced_terms, _lost_terms
 from app.optics.cook_torrance import _l_dot_h
 from app.optics.ies import _aimed, _falloff, _meter
 from app.optics.leave_out import _FLOOR
@@ -351,10 +352,10 @@ TERMS: dict[str, Callable] = {  # the sum of the absolute values of the terms of
     "albedo_cook_torrance_printed": lambda **args: 4 / np.pi * _albedo_terms(**args),
     "irradiance_light_without_cosine": partial(_shifted_terms, "irradiance_light_without_cosine"),
     "material_share": _index_terms,
-    "f_conductor": _ones,  # r_s, r_p
+    "f_conductor": _ones, "bounced_light_error": _ones,  # r_s, r_p; pieces of the azimuth
     "f_f82": _f82_terms,
     "schlick_worst": lambda material: np.ones(np.shape(material)),  # the difference of two shares
-    "facet_area": _facet_area_terms,
+    "facet_area": _facet_area_terms, "facets_lost": _lost_terms, "bounced_light": _bounced_terms,
     "groove_intercept_printed": _intercept_terms,
     "crease_gap": _crease_terms,
     # the seen area and Smith's share of it, each rounded: their condition numbers cancel in the product

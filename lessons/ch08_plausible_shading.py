@@ -61,6 +61,7 @@ far: the quotient has no $m$.
 """,
     scene=Scene(
         glsl="""
+#include "optics/bounces.glsl"
 #include "optics/matter.glsl"
 #include "display/look.glsl"
 #include "display/rough_room.glsl"
@@ -80,17 +81,19 @@ vec3 surface_point(int surface, vec2 s) {
     return vase_point(axis(surface), s);
 }
 
-vec4 surface_value(int surface, vec2 s) {
-    if (surface > 3) return vec4(0.0);
-    vec3 n = vase_normal(axis(surface), s), v = normalize(camera_position - vase_point(axis(surface), s));
-    vec3 f = f_material(surface < 2 ? 1.0 : clamp(dot(n, v), 0.02, 1.0), row_of(surface));
-    return vec4(clamp(f, 0.0, 1.0) * rough_room(n, v, m, surface > 1), 1.0);
-}
-
 const vec3 FRONT = vec3(0.0, -0.98768834, 0.15643447); // the eye, 9 degrees up
 const vec3 ASIDE = vec3(-0.90630779, 0.06611152, 0.41741543); // at right angles to it: left, and 25 degrees up
 
 vec3 lamp() { return cos(2.0 * theta_d) * FRONT + sin(2.0 * theta_d) * ASIDE; } // halfway it is theta_d from both
+
+vec4 surface_value(int surface, vec2 s) {
+    if (surface > 3) return vec4(0.0);
+    vec3 n = vase_normal(axis(surface), s), v = normalize(camera_position - vase_point(axis(surface), s));
+    vec3 f = f_material(surface < 2 ? 1.0 : clamp(dot(n, v), 0.02, 1.0), row_of(surface));
+    vec3 light = clamp(f, 0.0, 1.0) * rough_room(n, v, m, surface > 1);
+    if (surface > 1) light += bounced_light(dot(n, lamp()), dot(n, v), m, row_of(surface), 8.0 * PI * m * m, 0.38); // the room's mean
+    return vec4(light, 1.0);
+}
 
 vec3 shade(Surface s) {
     if (s.id == 4) return 0.55 * studio(-s.v);
@@ -171,12 +174,14 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
              "Rakic 1995; Sultanova 2009: indices"),
     honesty="The lamp's light is exact per pixel: measured F, V-grooves, the body coupled in and out; Blinn-Phong has the same "
             "F₀, the exponent 2/m² - 2. The rougher, the stronger the lamp: peaks stay alike. The room is a look, mirrored in 20 "
-            "facets per corner. θ is meant for the first view. No shadows; no second bounces.",
+            "facets per corner. θ is meant for the first view. Second bounces: a fit, with an even room. No shadows.",
     values=(Value("theta_d", 62.0, low=0.0, high=80.0), Value("m", 0.2, low=0.08, high=0.5), Value("material", 7, choices=MATERIAL_NAMES, more=True)),
     leave_outs=(LeaveOut("the twelve wavelengths of F", Term("schlick_worst"), 0.05, "Schlick's fit",
                          without={"f_material": "f_material_schlick"}, of="of the light"),
                 LeaveOut("G in the lamp's light", Term("cook_torrance_open_error"), 1e-3, "All facets open",
-                         without={"cook_torrance_dg": "cook_torrance_open"}, of="of the highlight"),),
+                         without={"cook_torrance_dg": "cook_torrance_open"}, of="of the highlight"),
+                LeaveOut("second bounces", Term("bounced_light_error"), 1e-2, "One bounce",
+                         without={"bounced_light": "bounced_light_none"}, of="of the light")),
     minutes=6,
 )
 

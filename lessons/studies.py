@@ -6,6 +6,8 @@ light's directions, h for one over the halfway vectors, D for samples drawn from
 albedo's study leaves out of the course's methods it says, with the reason.
 """
 
+from math import pi as PI
+
 from app.lesson import Method, Study, Term
 
 EVERYWHERE = {"theta_v": (0.0, 46.0, 80.0)}  # degrees; an error is the worst of these
@@ -97,9 +99,11 @@ STUDIES: dict[str, tuple[Study, ...]] = {
             "form still wins: one walk along the edge, whatever the digits.",
         cases=tuple({"light_shape": i} for i in range(4)), pixels="position"),),
     "brdfs/lambert": (Study(
-        "Cost of a digit: Lambert's albedo", "rho", MATT,
+        "Cost of a digit: Lambert's albedo", "rho",
+        (*MATT, Method("tiles", "tiles angles", ladder=(1, 2, 3, 6, 12, 24, 96),
+                       sets={"tile_rows": "rung", "half_angle": 0.5 * PI})),
         why="Drawn by the cosine every sample weighs the same: one is exact. Without it, the samples pay for a cosine that "
-            "is known by heart; Gauss points see it whole.",
+            "is known by heart; Gauss points see it whole, the scene's tiles see it bit by bit.",
         over="directions", integrand=(Term("brdf_lambert"),), eye="", without=NO_LOBE),),
     "brdfs/phong": (Study(
         "Cost of a digit: Phong's albedo", Term("albedo_phong"),
@@ -134,12 +138,13 @@ STUDIES: dict[str, tuple[Study, ...]] = {
                {"ndf": 3, "m": 1e-4})),),
     "microfacets/interreflections": (Study(
         "Cost of a digit: EON's albedo", Term("albedo_eon"), MATT,
-        why="A matt lobe is broad: Gauss points see it whole. Its one crease, at s = 0, is all that holds them up.",
+        why="A matt lobe is broad: no point is wasted. Its one crease, at s = 0, holds Gauss points up after four digits; "
+            "Sobol points, which no line upsets, are first in the last ones.",
         over="directions", integrand=(Term("brdf_eon"),), without=NO_LOBE, cases=({"theta_v": 60.0},)),
         Study(
         "Cost of a digit: Oren–Nayar's albedo", Term("albedo_oren_nayar"), MATT,
         why="max(0, s) bends across the whole hemisphere, and max(n·l, n·v) on a ring: Gauss points lose what makes them "
-            "fast. Sobol points, which no line upsets, go on gaining and overtake them in the last digits.",
+            "fast. Sobol points do not care where a line runs, and come as far.",
         over="directions", integrand=(Term("brdf_oren_nayar"),), without=NO_LOBE, cases=({"theta_v": 60.0},))),
     "microfacets/cook_torrance": (Study(
         "Cost of a digit: Cook-Torrance's albedo", Term("albedo_cook_torrance"),
@@ -150,8 +155,8 @@ STUDIES: dict[str, tuple[Study, ...]] = {
         cases=WIDTHS),),
     "geometry_term/with_without": (Study(
         "Cost of a digit: albedo without G", EXACT, (*NARROW, LAGUERRE, PIECES),
-        why="Without G nothing tames 1/(n·l n·v): at 80° the light piles up at the horizon, where blind points are few. "
-            "Cut there, Gauss points see a smooth hill on each side.",
+        why="Without G no crease is left, and over l the horizon is the domain's own edge: Gauss points take the hill whole, "
+            "steep as it is at 80°. A needle they miss; stretched to it, or drawn from D, a few points do.",
         over="directions", integrand=(Term("brdf_geometry", {"f0": 1.0, "geometry": 0}),), sampler="beckmann", width="m",
         worst=EVERYWHERE, cases=({"m": 0.5}, {"m": 0.01})),),
     "geometry_term/smith": (Study(
@@ -163,22 +168,22 @@ STUDIES: dict[str, tuple[Study, ...]] = {
         without=TAILS, worst={"theta_v": (0.0, 46.0)}, cases=({"m": 1.0}, {"m": 0.5}, {"m": 0.1}, {"m": 0.01})),
         *(Study(
         f"Cost of a digit: Smith's {words} albedo", EXACT, (*NARROW, LAGUERRE, PIECES),
-        why="Beckmann's facets under a G without creases: the drawn samples and the rules over h lose only what the "
-            "horizon cuts off. Cut there too, and 12 points a piece leave a billionth.",
+        why="A G without creases: while the lobe is broad Gauss points over l win, as for GGX. Across a narrow lobe G is "
+            "all but constant, and what is left is e^(-t), which Gauss-Laguerre has for its weight.",
         over="directions", integrand=(Term("brdf_geometry", {"f0": 1.0, "geometry": kind}),), sampler="beckmann",
         width="m", worst=EVERYWHERE, cases=({"m": 0.5}, {"m": 0.01}))
           for kind, words in ((2, "separable"), (3, "correlated")))),
     "plausible_shading/compare": (Study(
         "Cost of a digit: a material's albedo", EXACT, COATED,
-        why="Two lobes in one: a sharp mirror and a broad body. Drawn from both, a sample is never far from either; a rule "
-            "for one of them is blind to the other, unless it is cut where they meet.",
+        why="Plastic is two lobes, a mirror's and a broad body's: drawn from both, a sample is never far from either. Gold "
+            "has the mirror alone, and a rule that is stretched to it needs nothing else.",
         over="directions", integrand=(Term("brdf_matter", {"channel": 0}),), sampler="beckmann", width="m",
         eye="theta_d", without=BODY, worst={"theta_d": (0.0, 46.0, 80.0)},
         cases=({"material": 2, "m": 0.3}, {"material": 5, "m": 0.02})),
         Study(
         "Cost of a digit: Blinn-Phong's, of a material", EXACT, COATED,
-        why="The same two lobes without Fresnel's rise at the rim: what is left to find is the cut of the highlight at the "
-            "horizon, and Gauss points that know where it is need a hundredth of the others.",
+        why="No G and no Fresnel at the rim: over l nothing bends, and Gauss points take both lobes whole. Over h the "
+            "horizon cuts through the highlight, and a rule that is not cut there soon stops gaining.",
         over="directions", integrand=(Term("brdf_matter_blinn", {"channel": 0}),), sampler="beckmann", width="m",
         eye="theta_d", without=BODY, worst={"theta_d": (0.0, 46.0, 80.0)}, cases=({"material": 2, "m": 0.3},))),
     "plausible_shading/energy": (Study(

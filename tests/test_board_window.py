@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from imgui_bundle import ImVec2
+from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
 from app.brush import picked_frame
@@ -33,6 +33,20 @@ def a_click_picks(engine, window) -> dict:
     assert at["theta_v"] != before["theta_v"], window.message
     assert picked_frame(view, at["theta_v"], at["turned"])[:, 2] @ n > 0.995
     return at
+
+
+@pytest.mark.parametrize("theme", ["dark", "light", "projector"])
+def test_three_models_have_room_on_a_projector(tmp_path, theme):
+    """All that is set and chosen is in sight without scrolling, and a long name takes no more than others."""
+    long = write_file(tmp_path, "a_very_long_name_of_a_measured_and_fitted_plate_of_brushed_steel.brdf")
+
+    def test(engine, window):
+        window.set_theme(theme)
+        frames(engine, 4)
+        hidden = on_gl(engine, window, lambda: imgui.internal.find_window_by_name("Text").scroll_max)
+        assert (hidden.x, hidden.y) == (0, 0)
+
+    drive(test, start=f"board/cook_torrance+{long}+ggx")
 
 
 def test_a_file_is_dropped_examined_and_left(tmp_path):

@@ -21,7 +21,7 @@ def test_a_formula_is_edited_broken_restored_and_saved():
     def test(engine, window):
         def picture() -> np.ndarray:
             until(engine, window, lambda: window.scene.is_fine)
-            return on_gl(engine, window, window.scene.stage.pixels).astype(int)
+            return on_gl(engine, window, window.scene.stage.picture.pixels).astype(int)
 
         def cursor(line: int, index: int) -> None:
             on_gl(engine, window, lambda: window.editor.widget.widget.set_cursor(edit.TextEditor.DocPos(line, index)))

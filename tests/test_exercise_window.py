@@ -35,7 +35,7 @@ class Hand:
 
     def picture(self) -> np.ndarray:
         self.until(lambda: self.window.scene.is_fine)
-        return on_gl(self.engine, self.window, self.window.scene.stage.pixels).astype(int)
+        return on_gl(self.engine, self.window, self.window.scene.stage.picture.pixels).astype(int)
 
     def course(self) -> np.ndarray:
         """The scene without one's text: as it is beside a text in Python."""

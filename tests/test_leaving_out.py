@@ -46,7 +46,7 @@ def test_the_yardstick_colours_the_same_pixels(ctx):
 def test_every_feature_of_the_yardstick_is_in_it(ctx):
     """A feature counts as left out only if the yardstick itself has it: something of its files is compiled there."""
     stage = EverythingOn(ctx, Source(CONE.step.scene))
-    files = set(stage.texts(("surface",))["surface"][1].files)
+    files = set(stage.own.texts(("surface",))["surface"][1].files)
     stage.release()
     for name, of in FEATURES.items():
         assert any(f"glsl/optics/{file}.glsl" in files for file in of), name
@@ -235,6 +235,44 @@ def test_without_g_there_is_less_to_do():
     assert work[0] < work[1]
     said = decided(VASES, values, OPEN).words
     assert "left out. All facets open, at most" in said and "of the highlight off" in said
+
+
+TWICE = "second bounces"
+
+
+@pytest.mark.parametrize(("material", "is_out"), [(0, True), (2, True), (4, True), (5, False), (7, False), (8, False)])
+def test_second_bounces_are_left_out_of_what_is_no_metal(material, is_out):
+    """Light is lost from water as from gold; of what is lost, an insulator mirrors little twice."""
+    for m in (0.08, 0.2, 0.5):
+        one = decided(VASES, defaults(VASES) | {"material": material, "m": m}, TWICE)
+        assert one.is_out == is_out and (one.error < 0.006 if is_out else one.error > 0.015)
+
+
+def test_second_bounces_go_exactly_where_their_error_is_below_the_bound():
+    low, high = 0.1, 1.0  # of a rough diamond
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        one = decided(VASES, defaults(VASES) | {"material": 4, "m": middle}, TWICE)
+        low, high = (middle, high) if one.is_out else (low, middle)
+    one = decided(VASES, defaults(VASES) | {"material": 4, "m": low}, TWICE)
+    assert one.is_out and np.isclose(one.error, one.of.limit, rtol=1e-6) and 0.5 < low < 0.9
+
+
+@pytest.mark.parametrize(("material", "low", "high"), [(2, 0, 2), (7, 20, 60)])
+def test_without_second_bounces_the_picture_is_off_by_what_is_said(material, low, high, ctx):
+    """0.13 % of the light of plastic is at most 2 of 255; 11 % of copper's is seen."""
+    values = defaults(VASES) | {"material": material, "m": 0.5, "theta_d": np.radians(30.0)}
+    scenes = [lean(VASES, decisions(VASES, values, {TWICE: is_out})) for is_out in (True, False)]
+    once, twice = (picture(scene, values, ctx) for scene in scenes)
+    assert np.all(twice >= once) and low <= np.max(twice - once) <= high
+
+
+def test_without_second_bounces_there_is_less_to_compile():
+    values = defaults(VASES) | {"material": 2}
+    without, with_them = (compiled(lean(VASES, decisions(VASES, values, {TWICE: is_out}))) for is_out in (True, False))
+    gone = {"facets_lost", "facets_lost_average", "bounced_share", "f_material_average", "azimuths_between"}
+    assert gone <= with_them - without and len(without) < len(with_them)
+    assert without - with_them == {"bounced_light_none"}
 
 
 def test_the_same_decision_is_the_same_scene():

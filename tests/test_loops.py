@@ -75,9 +75,9 @@ def test_what_glsl_counts_is_what_is_told():
 def test_the_courses_own_loops_are_not_counted(ctx):
     """But for an edited function the text of a step is the course's, also in the file that the function stands in."""
     stage = Stage(ctx, edit.source_of(step(STEP)))
-    assert not stage.watched
+    assert not stage.own.watched
     stage.rewrite(edits(edit.functions(step(STEP))["d_beckmann"].text + "\n"))
-    assert not stage.watched and stage.source.overrides
+    assert not stage.own.watched and stage.source.overrides
     stage.release()
 
 
@@ -96,7 +96,7 @@ def test_an_endless_loop_is_told_and_the_picture_goes_on(ctx, name):
     with pytest.raises(Problem) as problem:
         stage.rewrite(edits(with_loop("d_beckmann", body)), lambda: watch(stage, values, camera))
     assert edit.complaints(str(problem.value), "d_beckmann") == [(1 + line, loops.NEVER)]
-    assert stage.programs == drawn_by and not stage.passing  # no frame waits for it
+    assert stage.programs == drawn_by and not stage.own.passing  # no frame waits for it
     assert np.array_equal(picture(), before)
     stage.release()
 
@@ -131,7 +131,7 @@ def test_a_loop_of_a_thousand_steps_changes_nothing(ctx):
         stage.rewrite(one, lambda: watch(stage, values, camera))
         stage.draw(values, camera, (96, 64), THEMES["dark"], fine=False)
         pictures.append(stage.picture.pixels())
-    assert stage.watched and np.array_equal(*pictures)
+    assert stage.own.watched and np.array_equal(*pictures)
     stage.release()
 
 
@@ -160,7 +160,12 @@ def test_a_file_ends_at_some_values_only(tmp_path, ctx):
     path.write_text(FILE, "utf-8")
     found = board_step.step(str(path))
     stage, camera = Stage(ctx, edit.source_of(found)), found.step.scene.camera
+    stage.draw(defaults(found), camera, (96, 64), THEMES["dark"])
     watch(stage, defaults(found), camera)
+    with pytest.raises(Problem, match=r"x\.brdf, line 9: this loop never ends"):
+        watch(stage, defaults(found) | {"model0_k": 1.0}, camera)
+    while stage.settle(defaults(found), camera, THEMES["dark"]):  # every surface in a program of its own
+        pass
     with pytest.raises(Problem, match=r"x\.brdf, line 9: this loop never ends"):
         watch(stage, defaults(found) | {"model0_k": 1.0}, camera)
     assert stage.scene.texts[0].text.count("while (") == 1 and loops.COUNT not in stage.scene.texts[0].text

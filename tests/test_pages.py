@@ -14,6 +14,7 @@ import pytest
 from PIL import Image
 
 from app import meshes
+from app.breaking import values_of
 from app.catalog import step, steps
 from app.export.still import data
 from app.export.web import math
@@ -27,6 +28,7 @@ from app.mesh_edges import corner_normals
 from app.problem import Usage
 from app.state import View, defaults, parse, write
 from app.terms import bound
+from app.terms import evaluate as evaluate_exactly
 from app.theme import THEMES
 from app.tolerance import FACTOR, ratio
 from tests.browser import CHROMIUM, chromium, opened, settle
@@ -252,18 +254,25 @@ def test_the_address_is_the_state(folder, browser):
 
 def test_broken_and_mended(folder, browser):
     """The naive form, at the values where it fails, in picture and numbers; and back."""
-    found = step("solid_angle/cone")
+    found = step("radiometry/inverse_square")
+    one, first = found.step.breaks[0], found.step.readouts[0].label
     with opened(browser, folder / file_of(found.id)) as (tab, heard):
         settle(tab)
-        label = next(one.label for one in found.step.readouts if one.term.function == "solid_angle_cone"
-                     and one.role != "exact")
+        programs = tab.evaluate("JSON.stringify(halfway.stage.scene.programs)")
         tab.locator(".break input").check()
-        tab.wait_for_function("() => halfway.state().includes('half_angle=0.01')")
-        broken = number(tab, label)
-        assert found.step.breaks[0].told in tab.locator("#broken").inner_text()
+        tab.wait_for_function("() => halfway.state().includes('radius=0.0006')")
+        right, wrong = number(tab, one.number), number(tab, f"{one.number}, broken")
+        exact = float(evaluate_exactly(one.term, defaults(found) | values_of(found, one)))
+        assert right == pytest.approx(exact, rel=1e-5) and abs(wrong / exact - 1) > 1e-2
+        assert one.told in tab.locator("#broken").inner_text()
+        rows = tab.locator("#numbers")
+        assert rows.get_by_text(f"{one.number}, broken", exact=True).is_visible()
+        assert not rows.get_by_text(first, exact=True).is_visible()
+        assert tab.evaluate("JSON.stringify(halfway.stage.scene.programs)") != programs
         tab.locator(".break input").uncheck()
-        mended = number(tab, label)
-        assert broken != mended and mended == pytest.approx(np.pi * np.radians(0.01) ** 2, rel=1e-6)
+        assert number(tab, first) == pytest.approx(1.1309734e-4, rel=1e-5)
+        assert rows.get_by_text(first, exact=True).is_visible()
+        assert tab.evaluate("JSON.stringify(halfway.stage.scene.programs)") == programs
     assert heard.said == []
 
 
@@ -419,23 +428,6 @@ def test_nothing_sticks_out(size, folder, browser):
 
 
 # --- the course ------------------------------------------------------------------------------------------------------
-def test_an_index_of_many_steps_loses_no_context(folder, browser):
-    from app.export.web import index
-
-    (folder / "index.html").write_text(index.page(list(steps()), posters=False), encoding="utf-8")
-    with opened(browser, folder / "index.html", (1280, 720)) as (tab, heard):
-        most = 0
-        for i in range(0, len(steps()), 9):
-            tab.evaluate("i => document.querySelectorAll('article')[i].scrollIntoView({block: 'center'})", i)
-            tab.wait_for_function("() => document.querySelectorAll('iframe.ready').length > 0")
-            most = max(most, tab.evaluate("document.querySelectorAll('iframe').length"))
-        assert 0 < most <= 4
-        tab.locator("#search").fill("fresnel angle")
-        shown = tab.evaluate("[...document.querySelectorAll('article:not([hidden])')].map(one => one.id)")
-        assert "card-fresnel-angle" in shown and len(shown) < 20
-    assert heard.said == []  # "Too many active WebGL contexts" would be
-
-
 def test_the_command(tmp_path, capsys):
     from app.__main__ import main
 

@@ -92,7 +92,7 @@ def test_a_study_is_declared_with_what_there_is(found, study):
 @pytest.mark.parametrize("kinds", [SQUARE, LINE], ids=["square", "line"])
 def test_the_weights_of_points_sum_to_one(kinds):
     for name, points in kinds.items():
-        at, weights = points(256, 5)
+        at, weights = points(64 if name == "tiles" else 256, 5)
         assert weights.sum() == pytest.approx(1, rel=1e-12), name
         assert at.shape == (len(weights), 2) and at.min() >= 0 and at.max() <= 1
 
@@ -160,6 +160,8 @@ def test_a_click_sets_the_method_and_its_cost():
     assert chosen(method, Point(3, 64, 0.1, [1.0])) == {"sampling": 5, "level": 3}
     counted = next(m for m in step("solid_angle/patch").step.studies[0].methods if m.label == "Fibonacci")
     assert chosen(counted, Point(1024, 1024, 0.1, [1.0])) == {"samples": 1024}
+    tiles = next(m for m in step("brdfs/lambert").step.studies[0].methods if m.label == "tiles")
+    assert chosen(tiles, Point(6, 144, 0.1, [1.0])) == {"tile_rows": 6, "half_angle": pytest.approx(np.pi / 2)}
 
 
 def test_a_pointer_finds_the_nearest_point_that_can_be_set():
@@ -218,7 +220,8 @@ def test_an_interruption_keeps_what_is_done(tmp_path, monkeypatch, capsys):
 
     monkeypatch.setattr(command, "record_of", interrupted)
     assert main(["study", "radiometry/eye", "-o", str(tmp_path)]) == 130
-    out = capsys.readouterr().out
+    out, err = capsys.readouterr()
+    assert "halfway: interrupted: 1 of 2 studies are done, and kept." in err
     assert "T = 2700 K" in out and "6500" not in out and (tmp_path / "index.html").exists()
 
 

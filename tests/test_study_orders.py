@@ -62,7 +62,8 @@ def test_samples_gain_by_the_order_of_their_kind(case, rule, low, high):
     (CREASED, "gauss angles", 0.9, 2.5), (CUT, "gauss angles", 0.4, 1.0), (SMOOTH, "gauss half", 0.8, 1.6),
     (CREASED, "gauss half", 0.9, 2.5)])
 def test_points_without_chance_gain_by_what_they_meet(case, rule, low, high):
-    assert low <= order(case[0], rule, case[1], seeds=1, powers=range(8, 17, 1 if rule.startswith("fib") else 2)) <= high
+    powers = range(8, 17, 1 if rule.startswith("fibonacci") else 2)
+    assert low <= order(case[0], rule, case[1], seeds=1, powers=powers) <= high
 
 
 @pytest.mark.parametrize("case", [SMOOTH, CREASED, CUT])

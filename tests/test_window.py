@@ -48,13 +48,13 @@ def test_steps_are_left_and_returned_to_with_the_same_state():
 def test_a_value_is_typed_reset_and_undone_and_the_picture_follows():
     def test(engine, window):
         frames(engine)
-        before, drawn = on_gl(engine, window, window.scene.stage.pixels), window.scene.frames_drawn
+        before, drawn = on_gl(engine, window, window.scene.stage.picture.pixels), window.scene.frames_drawn
         engine.item_input_value("//Scene/##tilt", -40.0)
         frames(engine)
         assert math.isclose(window.session.values["tilt"], math.radians(-40), rel_tol=1e-6)
         assert (
             window.scene.frames_drawn > drawn
-            and np.abs(on_gl(engine, window, window.scene.stage.pixels).astype(int) - before).max() > 30
+            and np.abs(on_gl(engine, window, window.scene.stage.picture.pixels).astype(int) - before).max() > 30
         )
         engine.key_down(imgui.Key.mod_ctrl)
         engine.key_press(imgui.Key.z)
@@ -164,9 +164,9 @@ def test_a_prediction_is_asked_guessed_and_told():
 def test_first_start_outline_and_search():
     def test(engine, window):
         assert window.show_welcome and window.cover.stage is not None
-        first = on_gl(engine, window, window.cover.stage.pixels)
+        first = on_gl(engine, window, window.cover.stage.picture.pixels)
         frames(engine, 20)
-        assert (on_gl(engine, window, window.cover.stage.pixels) != first).any()  # it turns
+        assert (on_gl(engine, window, window.cover.stage.picture.pixels) != first).any()  # it turns
         engine.item_click("//Welcome/**/Start")
         assert not window.show_welcome and window.session.current.id == "solid_angle/angle"
         engine.key_press(imgui.Key.o)
@@ -190,7 +190,7 @@ def test_themes_change_everything_and_are_kept():
         seen = {}
         for _ in range(3):
             frames(engine, 4)
-            seen[window.theme.name] = tuple(on_gl(engine, window, window.scene.stage.pixels)[5, 5].tolist())
+            seen[window.theme.name] = tuple(on_gl(engine, window, window.scene.stage.picture.pixels)[5, 5].tolist())
             engine.key_press(imgui.Key.t)
         assert len(set(seen.values())) == 3, seen
         frames(engine)
@@ -323,11 +323,11 @@ def test_a_luminaire_is_dropped_and_a_bad_one_explained(tmp_path):
         assert math.isclose(shown["integrated"].value, built_in("flood").integrated_lumens)
         until(engine, window, lambda: window.plot.of == "lights/ies")
         assert not window.plot.fault
-        before = on_gl(engine, window, window.scene.stage.pixels)
+        before = on_gl(engine, window, window.scene.stage.picture.pixels)
         engine.item_click("//Scene/up##luminaire")
         frames(engine, 4)
         assert window.own.ies is None and window.values["table"] is built_in("uplight").table
-        assert (on_gl(engine, window, window.scene.stage.pixels) != before).any()
+        assert (on_gl(engine, window, window.scene.stage.picture.pixels) != before).any()
         window.reveal()
         assert math.isclose(window.session.answer.truth, built_in("bare").integrated_lumens)
 
@@ -381,16 +381,16 @@ def test_a_step_s_plots_have_tabs_and_a_key(tmp_path):
 def test_a_step_is_broken_by_its_button_and_mended_by_a_key():
     def test(engine, window):
         frames(engine, 4)
-        sound = on_gl(engine, window, window.scene.stage.pixels).astype(int)
+        sound = on_gl(engine, window, window.scene.stage.picture.pixels).astype(int)
         engine.item_click("//Text/Break it: Snell's root in total reflection")
         frames(engine, 4)
         assert window.session.broken and window.scene.faults.nan > 0
-        bad = on_gl(engine, window, window.scene.stage.pixels).astype(int)
+        bad = on_gl(engine, window, window.scene.stage.picture.pixels).astype(int)
         assert np.abs(bad - sound).max() > 100
         engine.key_press(imgui.Key.b)
         frames(engine, 4)
         assert window.session.broken is None and not window.scene.faults
-        assert np.array_equal(on_gl(engine, window, window.scene.stage.pixels), sound)
+        assert np.array_equal(on_gl(engine, window, window.scene.stage.picture.pixels), sound)
 
     drive(test, start="fresnel/inside")
 

@@ -112,8 +112,8 @@ def cook_torrance_open_error(theta_d, m):
     max D (1 - G) / n.v over max D G / n.v, over normals at a from h in the plane of l and v, where G is least, as far
     as n.v = 0.01; theta_d + 4 degrees, at most 88.3, in the place of theta_d, as the lines of sight are not parallel
 
-    theta_d (...) rad, the angle of l and of v from h; m (...) RMS slope. Returns (...) 0 .. 10, 10 for more. Errors: 257
-    normals; at the very rim, beyond n.v = 0.01, it may be more. Source: measured here.
+    theta_d (...) rad, the angle of l and of v from h; m (...) RMS slope. Returns (...) 0 .. 10, and 10 for more.
+    Errors: 257 normals; at the very rim, beyond n.v = 0.01, it may be more. Source: measured here.
     """
     reach, i = np.maximum(1.4907963 - np.asarray(theta_d, float), 0.02)[..., None], np.arange(-128, 129)
     n_dot_v, n_dot_l = (np.sin(0.01 + reach * (128 + k) / 128) for k in (-i, i))

@@ -193,7 +193,7 @@ def shown(line: Line, point: Point) -> float:
 
 def axes(record: Record) -> tuple[Axis, Axis]:
     """Whole powers of ten around all points."""
-    times = [p.time for line in record.lines for p in line.points] or [1e-4, 1e-2]
+    times = [time for line in record.lines for p in line.points for time in p.spread] or [1e-4, 1e-2]
     errors = [min(shown(line, p), HIGHEST) for line in record.lines for p in line.points] or [1e-3, 1.0]
 
     def decades(low: float, high: float) -> Axis:
@@ -284,7 +284,8 @@ def chosen(method: Method, point: Point) -> dict[str, Number]:
     if method.term is not None and method.cost:
         given = {k: v for k, v in method.term.args.items() if not isinstance(v, str)}
         return {**given, method.cost: point.rung}
-    return {name: point.samples if isinstance(value, str) else value for name, value in method.sets.items()}
+    spent: dict[Number | str, Number] = {"N": point.samples, "rung": point.rung}
+    return {name: spent[value] if isinstance(value, str) else value for name, value in method.sets.items()}
 
 
 def told(line: Line, point: Point) -> str:

@@ -176,18 +176,25 @@ class Legend:
             entry = Entry(samples[i % len(samples)], one.colour(look), one.label)
             paste(picture, mark(look, entry, self.swatch, self.high), x, y - self.high / 2)
             x += self.swatch + self.gap
-            value = three(one.number) + one.unit
-            letters = fitting(look, f"{one.label}  {value}", 2 * self.gap + (i % self.columns + 1) * wide - x)
-            draw.text((x, y), one.label, bytes3(look.foreground), letters, anchor="lm")
-            x += letters.getlength(one.label + "  ")
+            value, room = three(one.number) + one.unit, 2 * self.gap + (i % self.columns + 1) * wide - x
+            letters = fitting(look, f"{one.label}  {value}", room, 0.75 * look.small)
+            name = next((cut for count in range(len(one.label), 2, -1)
+                         if letters.getlength(f"{(cut := shortened(one.label, count))}  {value}") <= room), "…")
+            draw.text((x, y), name, bytes3(look.foreground), letters, anchor="lm")
+            x += letters.getlength(name + "  ")
             draw.text((x, y), value, bytes3(look.foreground), letters, anchor="lm")
         return np.asarray(picture)
 
 
-def fitting(look: Look, text: str, room: float):
+def shortened(name: str, count: int) -> str:
+    """So many letters of a name, a file's, its middle left out."""
+    return name if count >= len(name) else f"{name[:count // 2]}…{name[len(name) - (count - 1) // 2:]}"
+
+
+def fitting(look: Look, text: str, room: float, least: float = 9):
     """The theme's small letters, or smaller ones with which the text has room."""
     size = look.small
-    while size > 9 and font(look, size).getlength(text) > room:
+    while size > least and font(look, size).getlength(text) > room:
         size -= 1
     return font(look, size)
 

@@ -99,31 +99,32 @@ def measured(chosen: list[Job], end: float, report: "Report | None" = None
     warm()
 
     done: list[tuple[Study, Record]] = []
-    drawing = 0.3 if report else 0.0  # s that the pictures of a record take
+    beyond = 0.3 if report else 0.0  # s that a job takes beyond its share: first rungs that are dear, pictures
     problems: list[Problem] = []
     try:
         with progress(len(chosen)) as tell:
             for i, job in enumerate(chosen):
                 words = ", ".join(filter(None, (job.found.id, job.case, "" if job.where == "CPU" else job.where)))
                 tell(i, words)
-                left = end - perf_counter()
-                if i and left <= drawing:
+                start = perf_counter()
+                left = end - start
+                if i and left <= beyond:
                     skipped = len(chosen) - i
                     problems.append(Problem(f"the budget was up before {skipped} of {len(chosen)} studies began, from "
                                             f"{words} on; name topics, or give more with --budget."))
                     break
-                share = max(left / (len(chosen) - i) - drawing, 0.0)
+                share = max(left / (len(chosen) - i) - beyond, 0.0)
                 try:
                     record = record_of(job, share)
                 except Problem as problem:
                     problems.append(problem)
                     continue
                 if report:
-                    start = perf_counter()
                     report.add(job.study, record)
-                    drawing = 0.5 * (drawing + perf_counter() - start)
+                beyond = 0.5 * (beyond + max(perf_counter() - start - share, 0.0))
                 done.append((job.study, record))
     except KeyboardInterrupt:
+        problems.append(Problem(f"interrupted: {len(done)} of {len(chosen)} studies are done, and kept."))
         return done, problems, INTERRUPTED
     return done, problems, 0
 

@@ -18,15 +18,14 @@ from app.lesson import Method, Study, Term
 from app.plots.ticks import number
 from app.quantities import TABLE, entered
 from app.spoken import plain
-from app.study.record import Line, Point, Record, unnoticed
+from app.study.record import ENOUGH, Line, Point, Record, unnoticed
 from app.study.rules import estimate, is_random, ladder
 from app.terms import evaluate
 
 REPEATS = 5
 ADAPTIVE = 0.03  # s that an adaptive rule may take before it says anything
 CLIMB = 0.75  # of the budget; the rest is for more times of each point
-ENOUGH = 3e-15  # below this error a method need not climb on
-ROUNDING = 1e-12  # nor where three rungs are below this
+ROUNDING = 1e-12  # a method need not climb on where three rungs are below this
 LOST, MANY = 0.5, 16384  # nor where three are above, the last with so many samples
 Report = Callable[[], None]
 
@@ -138,7 +137,7 @@ def said(told: list[tuple], samples: int) -> tuple:
 def verdict(one: Climber) -> str:
     """Why there is no use in climbing on; nothing where there is."""
     errors = [point.error for point in one.points]
-    if not one.line.random and errors[-1] < ENOUGH:
+    if errors[-1] < ENOUGH:
         return "nothing left to gain"
     if not one.line.random and len(errors) > 2 and max(errors[-3:]) < ROUNDING:
         return "nothing left but rounding"

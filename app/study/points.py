@@ -50,6 +50,12 @@ def gauss(count: int, seed: int) -> Points:
     return across(*gauss_legendre(max(1, isqrt(count))))
 
 
+def tiles(rows: int, seed: int) -> Points:
+    """The middles of tiles: this many along the first side, four times as many around."""
+    s, t = np.meshgrid((np.arange(rows) + 0.5) / rows, (np.arange(4 * rows) + 0.5) / (4 * rows), indexing="ij")
+    return even(np.stack([s, t], -1).reshape(-1, 2))
+
+
 def laguerre(count: int, seed: int) -> Points:
     """Gauss-Laguerre for a lobe e^-t with t = -log(1 - xi_1), even steps around: at least 8, and twice the nodes."""
     return across(*laguerre_rule(max(1, min(FURTHEST, round((count / 2) ** 0.5)))))
@@ -99,7 +105,7 @@ def line_segments(count: int, seed: int, pieces: int = 80) -> Points:
 
 SQUARE: dict[str, Callable[[int, int], Points]] = {
     "random": random, "jittered": jittered, "sobol": sobol, "fibonacci": fibonacci, "gauss": gauss,
-    "laguerre": laguerre}
+    "laguerre": laguerre, "tiles": tiles}
 LINE: dict[str, Callable[[int, int], Points]] = {
     "random": line_random, "jittered": line_jittered, "middles": line_middles, "gauss": line_gauss,
     "segments": line_segments}

@@ -7,6 +7,7 @@ from itertools import takewhile
 import numpy as np
 
 LEAST = 1e-16  # errors below are drawn there: no number in float64 can show less
+ENOUGH = 3e-15  # errors below are nothing
 TOLERANCES = (1e-2, 1e-3, 1e-6)
 TOO_SURE = 10.0  # an error this many times above what a method says of itself is a silent failure
 

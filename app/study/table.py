@@ -5,7 +5,7 @@ from textwrap import fill
 
 from app.plots.ticks import number
 from app.readouts import duration
-from app.study.record import TOLERANCES, Line, Record
+from app.study.record import ENOUGH, TOLERANCES, Line, Record
 
 HEADS = ("method", *(f"to {number(tolerance)}" for tolerance in TOLERANCES), "order in N", "best", "")
 NARROW, WIDE = 80, 120  # letters of a terminal
@@ -38,16 +38,14 @@ def table(record: Record, wide: int = WIDE) -> str:
 def row(line: Line) -> tuple[str, ...]:
     if not line.points:
         return line.label, *("-",) * (len(HEADS) - 2), line.stopped
-    if line.reference:
-        at = duration(1e3 * line.points[-1].time)
-        return line.label, at, at, at, "", "exact", ""
     reached = [duration(1e3 * point.time) if (point := line.reach(t)) else "did not reach" for t in TOLERANCES]
     order = "exponential" if line.exponential else f"{line.order[0]:.2f} ± {line.order[1]:.2f}" if line.order else ""
     if line.order and line.order[1] > abs(line.order[0]):
         order = "none"  # points all over the place
     best = min(point.error for point in line.points)
     worst = max(line.silent, key=lambda point: point.wrong, default=None)
-    return line.label, *reached, order, number(float(f"{best:.0e}")), f"× silent: {worst.words}" if worst else ""
+    shown = "exact" if line.reference and best < ENOUGH else number(float(f"{best:.0e}"))  # in float32 it has an error
+    return line.label, *reached, order, shown, f"× silent: {worst.words}" if worst else ""
 
 
 def wins(record: Record) -> str:

@@ -13,9 +13,11 @@ from app.lesson import Model
 from app.terms import whose
 from app.theme import colour
 from app.viewer import glfw, style
+from app.viewer.cut import wrapped
 from app.viewer.marks import mark
 
 SMALL = 0.9  # of the text on a projector, where the column is narrow for it
+CUT = 7  # em of a word that is longer, a file's name
 KEPT = 64  # results, so that a slider's way back costs nothing
 
 
@@ -93,7 +95,7 @@ class BadgesPanel:
         imgui.get_window_draw_list().add_circle_filled(ImVec2(at.x + 0.35 * size, at.y + 0.5 * size), 0.28 * size, ink)
         imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + 0.95 * size)
         owner = whose(model.term, values)
-        imgui.text_wrapped(model.label + (f", {owner}" if owner else ""))
+        wrapped(model.label + (f", {owner}" if owner else ""))
         if owner == "measured" and imgui.is_item_hovered():
             imgui.set_tooltip("A measurement is a table, with no text that could be edited: it stays.")
 
@@ -163,11 +165,12 @@ def job(wanted: tuple, model: Model, values: dict) -> tuple[tuple, dict[str, Bad
 
 
 def fits(models: tuple[Model, ...]) -> bool:
-    """Whether the longest word of the names has room before the badges."""
+    """Whether the longest word of the names, or as much of it as is left when it is cut, has room before the badges."""
+    room = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x  # whether or not there is a scroll bar
     cells = sum(imgui.calc_text_size(SHORT[name]).x + 2 * imgui.get_style().cell_padding.x for name in NAMES)
     words = [word for model in models for word in model.label.split()]
-    longest = max(imgui.calc_text_size(word).x for word in words) + 1.5 * imgui.get_font_size()
-    return cells + longest <= imgui.get_content_region_avail().x
+    longest = min(max(imgui.calc_text_size(word).x for word in words), CUT * imgui.get_font_size())
+    return cells + longest + 1.5 * imgui.get_font_size() <= room
 
 
 def middle(width: float) -> None:

@@ -1,10 +1,9 @@
 """The quiet line below: steps back and on, a message, what has a key."""
 
-from collections.abc import Callable
-
 from imgui_bundle import imgui
 
 from app.viewer import controls, style
+from app.viewer.cut import cut, whole
 
 BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Exercise", "x"), ("Reset", "r"),
            ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
@@ -31,7 +30,7 @@ def draw(app) -> None:
     right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8
     if app.message:
         imgui.same_line()
-        shown = cut(app.message, right - imgui.get_cursor_pos_x() - padding, lambda text: imgui.calc_text_size(text).x)
+        shown = cut(app.message, right - imgui.get_cursor_pos_x() - padding)
         controls.badge(shown, style.ink("printed", app.theme))
         if imgui.is_item_clicked():
             app.message = ""
@@ -42,22 +41,3 @@ def draw(app) -> None:
         if imgui.button(label):
             app.do(key)
         imgui.same_line()
-
-
-def cut(text: str, room: float, width: Callable[[str], float]) -> str:
-    """As much of the first line as the room takes, with dots where something is left out."""
-    line = text.partition("\n")[0]
-    if line == text and width(text) <= room:
-        return text
-    while line and width(line + "…") > room:
-        line = line[:-1]
-    return line.rstrip() + "…"
-
-
-def whole(text: str) -> None:
-    """All of a message that was cut, in a tooltip above the line."""
-    imgui.begin_tooltip()
-    imgui.push_text_wrap_pos(34 * imgui.get_font_size())
-    imgui.text(text)
-    imgui.pop_text_wrap_pos()
-    imgui.end_tooltip()

@@ -192,7 +192,7 @@ class Belongings:
     def watch(self) -> None:
         """Whether the loops of the texts that run end, asked again when something has changed."""
         session, stage = self.app.session, self.app.scene.stage
-        if stage is None or not stage.watched:
+        if stage is None or not (stage.source.overrides or stage.scene.texts):
             self.stuck, self.watched = "", ()
             return
         now = session.current.id, session.revision, stage.source, *map(id, self.data.values())

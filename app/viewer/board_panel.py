@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from imgui_bundle import imgui
+from imgui_bundle import ImVec2, imgui
 
 from app import needs
 from app.board import course_model
@@ -15,9 +15,11 @@ from app.problem import Problem
 from app.readouts import Known, Number, numbers
 from app.theme import colour
 from app.viewer import controls, numbers_panel, style
+from app.viewer.cut import cut
 from app.viewer.text_panel import heading, question
 
 VIEW = "shows", "board_channel", "stands", "shape", "model", "light", "turned"
+FIT_LOBES, CLOSE = "Fit", (0.75, 0.5)  # of the usual space between lines
 LONG = 1.3  # of the ring: longer lobes are cut
 
 
@@ -35,14 +37,22 @@ class BoardPanel:
         return found
 
     def draw(self, values: dict) -> None:
+        """All of it in sight, so close together: closest on a projector, whose letters are large."""
+        spacing, padding = imgui.get_style().item_spacing, imgui.get_style().frame_padding
+        close = CLOSE[self.app.theme.name == "projector"]
+        imgui.push_style_var(imgui.StyleVar_.item_spacing, ImVec2(spacing.x, close * spacing.y))
+        imgui.push_style_var(imgui.StyleVar_.frame_padding, ImVec2(padding.x, close * padding.y))
+        self.column(values)
+        imgui.pop_style_var(2)
+
+    def column(self, values: dict) -> None:
         heading("The board", 1.35)
+        imgui.same_line(0, imgui.get_font_size())
+        self.add()
         for i, entry in enumerate(self.found.entries):
-            imgui.push_id(i)
+            imgui.push_id(entry.word)
             self.row(i, entry)
             imgui.pop_id()
-        self.add()
-        for entry in self.found.shown:
-            self.parameters(entry)
         imgui.separator()
         self.view(values)
         if imgui.tree_node("Ask the class"):
@@ -54,7 +64,7 @@ class BoardPanel:
 
     # --- the models --------------------------------------------------------------------------------------------------
     def row(self, i: int, entry: Entry) -> None:
-        """On or off, its colour and name, alone, away."""
+        """On or off, its name, which folds its parameters away, alone, away; below it the parameters."""
         words = [(one.word, one.on) for one in self.found.entries]
         unit, right = imgui.get_font_size(), imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
         shade = style.vec(colour(entry.colour, self.app.theme))
@@ -66,11 +76,19 @@ class BoardPanel:
         if changed:
             self.change([(word, on if k == i else was) for k, (word, was) in enumerate(words)])
         imgui.same_line()
-        imgui.push_style_color(imgui.Col_.text, shade)
-        imgui.text(entry.label)
+        own = [spec for name, spec in self.found.values.items() if entry.on and name.startswith(entry.prefix)]
+        room = right - (5.4 * unit if len(words) > 1 else 0) - imgui.get_cursor_pos_x()
+        imgui.push_style_color(imgui.Col_.text, style.vec(style.ink(entry.colour, self.app.theme)))
+        if own:
+            name = cut(entry.label, room - imgui.get_tree_node_to_label_spacing())
+            flags = imgui.TreeNodeFlags_.default_open | imgui.TreeNodeFlags_.no_tree_push_on_open
+            is_open = imgui.tree_node_ex("parameters", flags | imgui.TreeNodeFlags_.frame_padding, name)
+        else:
+            is_open = False
+            imgui.text(cut(entry.label, room))
         imgui.pop_style_color()
         if imgui.is_item_hovered():
-            imgui.set_tooltip(entry.word)
+            imgui.set_tooltip(f"{entry.label}\n{entry.word}" if entry.word != entry.label else entry.word)
         if entry.model and len(words) > 1:
             imgui.same_line(right - 4.8 * unit)
             if imgui.small_button("alone"):
@@ -83,6 +101,8 @@ class BoardPanel:
         if (isinstance(entry.model, Merl) and fitted not in [word for word, _ in words]
                 and imgui.small_button("compare with a fitted Cook-Torrance")):
             self.change([*words, (fitted, sum(on for _, on in words) < MOST)])
+        if is_open:
+            controls.rows(self.app, own)
         if entry.fault:
             imgui.push_style_color(imgui.Col_.text, style.vec(style.ink("r", self.app.theme)))
             imgui.text_wrapped(entry.fault)
@@ -103,7 +123,10 @@ class BoardPanel:
         here = {entry.word for entry in self.found.entries}
         offered = [name for name in (*course_model.names(), Coated.name) if name not in here]
         imgui.set_next_item_width(-1)
-        if imgui.begin_combo("##add", "add a model, or drop a .brdf or MERL file"):
+        is_open = imgui.begin_combo("##add", "add a model")
+        if imgui.is_item_hovered():
+            imgui.set_tooltip("One of the course's; a .brdf file or a measurement (.binary) is dropped on the window.")
+        if is_open:
             for name in offered:
                 if imgui.selectable(name, False)[0]:
                     words = [(one.word, one.on) for one in self.found.entries]
@@ -132,11 +155,19 @@ class BoardPanel:
         shown = [specs[name] for name in VIEW if name in specs]
         if values["stands"] == 0:
             shown = [spec for spec in shown if spec.name != "shape"]
-        controls.rows(self.app, [spec for spec in (*shown, specs["lobe_top"]) if self.matters(spec)])
-        if imgui.small_button("Fit the lobes"):
+        shown = [spec for spec in (*shown, specs["lobe_top"]) if self.matters(spec)]
+        left, fit = controls.label_width(shown), imgui.calc_text_size(FIT_LOBES).x
+        free = fit + 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_inner_spacing.x
+        imgui.begin_disabled(self.app.session.frozen)
+        for spec in shown:
+            controls.row(self.app, spec, left, free if spec.name == "lobe_top" else 1.0)
+        imgui.end_disabled()
+        imgui.same_line(0, imgui.get_style().item_inner_spacing.x)
+        if imgui.button(FIT_LOBES):
             self.app.set_value("lobe_top", min(max(round_up(max(self.longest(), 1e-3)), 1e-3), 1e6))
+        if imgui.is_item_hovered():
+            imgui.set_tooltip("Let the ring stand for what the longest lobe needs.")
         if self.longest() > LONG * values["lobe_top"] and values["lobe_scale"] != 2:
-            imgui.same_line()
             controls.badge("longer than they are drawn", style.ink("printed", self.app.theme))
 
     def matters(self, spec) -> bool:
@@ -149,14 +180,3 @@ class BoardPanel:
             self.peak = key, self.found.peak(values)
             self.app.ctx.screen.use()
         return self.peak[1]
-
-    def parameters(self, entry: Entry) -> None:
-        """The sliders of one model."""
-        own = [spec for name, spec in self.found.values.items() if name.startswith(entry.prefix)]
-        if not own:
-            return
-        imgui.push_style_color(imgui.Col_.text, style.vec(style.ink(entry.colour, self.app.theme)))
-        is_open = imgui.collapsing_header(entry.label, imgui.TreeNodeFlags_.default_open)
-        imgui.pop_style_color()
-        if is_open:
-            controls.rows(self.app, own)

@@ -9,6 +9,7 @@ from app.lesson import Number
 from app.spoken import said, words
 from app.typed import digits, places
 from app.viewer import style
+from app.viewer.cut import on_a_line
 
 LABEL = 9.5  # em: at most
 BOUNDED = imgui.SliderFlags_.always_clamp
@@ -68,12 +69,13 @@ def lines(spec: ValueSpec, room: float) -> list[list[int]]:
     return found
 
 
-def row(app, spec: ValueSpec, width: float) -> None:
+def row(app, spec: ValueSpec, width: float, left_free: float = 1.0) -> None:
+    """A label, `width` wide, and the slider in the rest of the line but for what is left free."""
     imgui.align_text_to_frame_padding()
-    imgui.text(label(spec))
+    on_a_line(label(spec), width - 0.4 * imgui.get_font_size())
     tool_tip(spec)
     imgui.same_line(width)
-    imgui.set_next_item_width(-1)
+    imgui.set_next_item_width(-left_free)
     value = app.session.values[spec.name]
     changed, new = choice(spec, value) if spec.choices else slider(spec, value)
     if imgui.is_item_activated():

@@ -14,8 +14,10 @@ from app.readouts import three
 from app.state import FARTHEST, NEAREST, View
 from app.theme import Theme, colour, rgb
 from app.viewer import handles, style
+from app.viewer.cut import cut
 
 GRAB = 0.9  # em: how near a handle the hand must be
+WIDEST, PLATE = 0.4, 0.82  # of a label: its share of the picture, and how little is seen through what it stands on
 TURN = 0.35  # degrees a pixel at 720 pixels
 
 
@@ -51,7 +53,7 @@ class ScenePanel:
         size = max(16, int(room.x * scale.x)), max(16, int(room.y * scale.y))
         camera = view.camera(self.stage.scene.camera)
         if self.needed[0] is not self.stage.source:  # another step, or another text of it
-            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.texts(None))
+            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.own.texts(None))
             self.is_settled = False
         wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
@@ -110,7 +112,8 @@ class ScenePanel:
         scene = self.stage.scene
         for label in scene.labels:
             point = self.points[f"label {label.probe}"]
-            self.word(label.text, style.ink(label.colour, theme), point, corner, room, theme, beside=False)
+            words, shade = cut(label.text, WIDEST * room.x), style.ink(label.colour, theme)
+            self.word(words, shade, point, corner, room, theme, beside=False)
         for mark in scene.marks:
             if mark.label:
                 self.word(
@@ -133,8 +136,8 @@ class ScenePanel:
         self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4,
         beside: bool = True,
     ) -> None:
-        """A word beside its point or on it, as in stills; kept inside the picture, with a halo of the background.
-        None for a point outside."""
+        """A word beside its point or on it, as in stills; kept inside the picture, on a plate of the background, for it
+        may stand before anything. None for a point outside."""
         assert self.stage is not None
         across, down, w = orbit.project(point, self.stage.matrix)
         if w <= 0 or not (-0.05 <= across <= 1.05 and -0.05 <= down <= 1.05):
@@ -148,10 +151,10 @@ class ScenePanel:
         y = at.y + beside * away[1] * (gap + size.y / 2) - size.y / 2
         x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)
         y = min(max(y, corner.y + gap), corner.y + room.y - size.y - gap)
-        draw, back, front = imgui.get_window_draw_list(), style.u32(rgb(theme.background), 0.85), style.u32(shade)
-        for dx, dy in ((-1.5, 0), (1.5, 0), (0, -1.5), (0, 1.5)):
-            draw.add_text(ImVec2(x + dx, y + dy), back, text)
-        draw.add_text(ImVec2(x, y), front, text)
+        draw, pad, unit = imgui.get_window_draw_list(), 0.2 * size.y, 0.5 * size.y
+        corners = ImVec2(x - pad, y), ImVec2(x + size.x + pad, y + size.y + 0.1 * pad)
+        draw.add_rect_filled(*corners, style.u32(rgb(theme.background), PLATE), unit)
+        draw.add_text(ImVec2(x, y), style.u32(shade), text)
 
     def legend(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
         assert self.stage is not None

@@ -3,17 +3,15 @@
 import numpy as np
 
 from app import tables
-from app.badges import SHORT, of_model, told
 from app.breaking import broken, values_of
 from app.catalog import LoadedStep, ValueSpec
 from app.export.still import data as carried
 from app.export.web.figures import plot
+from app.export.web.judged import badges, rules
 from app.export.web.texts import Data, Twins, packed, scene
 from app.gpu.stage_text import COLOURS, look
-from app.lesson import Model, Prediction, Readout
-from app.optics import arguments
+from app.lesson import Prediction, Readout
 from app.prediction import guessed, is_right, revealed, truth, truth_values, words
-from app.quantities import FROM_ANGLES
 from app.readouts import ROUNDING, SUMS
 from app.state import defaults
 from app.theme import THEMES, Theme, colour, rgb
@@ -33,9 +31,11 @@ def content(found: LoadedStep) -> Data:
         "readouts": [readout(one, twins) for one in step.readouts],
         "plots": [plot(one, found, twins) for one in step.plots],
         "ask": question(found),
-        "badges": [badges(model, defaults(found)) for model in step.models],
+        "badges": [badges(model, defaults(found), twins) for model in step.models],
         "themes": {name: themed(theme) for name, theme in THEMES.items()},
     }
+    if step.models:
+        data["rules"] = rules()
     data["breaks"] = [breakage(found, i, twins, data["plots"]) for i in range(len(step.breaks))]
     return data | {"twins": twins.found} | constants(found)
 
@@ -86,20 +86,6 @@ def place(ask: Prediction, share: float) -> float:
     if share == 1:
         return ask.high
     return ask.low * (ask.high / ask.low) ** share if ask.scale == "log" else ask.low + share * (ask.high - ask.low)
-
-
-def badges(model: Model, values: dict) -> Data:
-    """A model's badges at these values (float64), and the names of the values they would change with."""
-    used = [name for name in model_values(model) if name in values]
-    return {"label": model.label, "ink": model.colour, "depends": used, "found": [
-        {"short": SHORT[name], "ok": badge.ok, "told": told(name, badge)}
-        for name, badge in of_model(model, values).items()]}
-
-
-def model_values(model: Model) -> list[str]:
-    term = model.term
-    named = [term.args.get(name, name) for name in arguments(term.function)]
-    return [name for name in named if isinstance(name, str) and name not in FROM_ANGLES]
 
 
 def themed(theme: Theme) -> Data:

@@ -21,7 +21,7 @@ from app.theme import THEMES
 
 PLAYER = Path(__file__).with_name("player")
 CORE = ("values.js", "written.js", "gpu.js", "twins.js", "camera.js", "stage.js", "labels.js", "hand.js", "page.js",
-        "controls.js", "messages.js")  # then what draws the kinds of plots a step has
+        "controls.js", "messages.js", "deck.js")  # then what draws the kinds of plots a step has
 KINDS = {"curves": ("CurvesPlot", ("svg.js", "curves.js")), "ledger": ("LedgerPlot", ("ledger.js",)),
          "slice": ("SlicePlot", ("svg.js", "models.js", "slices.js")),
          "space": ("SpacePlot", ("models.js", "space.js"))}
@@ -40,7 +40,8 @@ def script(content: Data) -> str:
     """The player, with what draws this step's plots and no other."""
     kinds = {plot["kind"]: KINDS[plot["kind"]] for plot in content["plots"] if plot["kind"] in KINDS}
     shapes = ("shapes.js",) if content["meshes"] else ()
-    files = dict.fromkeys((*CORE, *shapes, *(name for _, names in kinds.values() for name in names)))
+    judged = ("models.js", "furnace.js", "badges.js") if content["badges"] else ()
+    files = dict.fromkeys((*CORE, *shapes, *(name for _, names in kinds.values() for name in names), *judged))
     table = ", ".join(f"{kind}: {made}" for kind, (made, _) in kinds.items())
     return f'"use strict";\n{"".join(map(text_of, files))}const KINDS = {{{table}}};\n{text_of("start.js")}'
 
@@ -96,7 +97,7 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <details id="more" class="rows"{"" if more else " hidden"}><summary>more</summary>{rows(more)}</details>
 </section>
 <section class="side" aria-label="Numbers">
-<dl id="numbers">{numbers(step.readouts)}</dl>
+<dl id="numbers">{numbers(found)}</dl>
 {badges(content)}
 {figures(content["plots"], len(step.plots), shown)}
 {ask(step.ask)}
@@ -148,7 +149,7 @@ def badges(content: Data) -> str:
     def one(model: Data) -> str:
         words = " ".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
                         f'{"✓" if b["ok"] else "✗"} {escape(b["short"])}</span>' for b in model["found"])
-        return (f'<p class="badges" data-depends="{" ".join(model["depends"])}"><b class="ink-{model["ink"]}">'
-                f'{escape(model["label"])}</b> {words}<small> at the first values</small></p>')
+        return (f'<p class="badges"><b class="ink-{model["ink"]}">{escape(model["label"])}</b> {words}'
+                '<small> of other values</small></p>')
 
     return "".join(map(one, content["badges"]))

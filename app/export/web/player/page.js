@@ -14,7 +14,8 @@ class Page {
     this.gpu = new Gpu(this.canvas);
     this.stage = new Stage(this.gpu, content.scene, data);
     this.twins = new Twins(this.gpu, content.twins, data);
-    this.set(location.search.slice(1) || content.begin || ""); // a page in srcdoc has no address
+    this.deck = new Deck(content.step);
+    this.set(this.deck.kept ?? (location.search.slice(1) || content.begin || "")); // a page in srcdoc has no address
     this.stage.pictured(this.values); // the programs of the picture compile while the rest is made
     Object.assign(this, {readouts: content.readouts, shown: 0, put: {}, drawn: [], grips: all(".grip")});
     this.restyle(["dark", "light", "projector"].find(name => location.hash.includes(name)) ||
@@ -22,9 +23,12 @@ class Page {
     this.guard(this.canvas, this.stage);
     this.grips.forEach((grip, i) => grabbing(grip, content.scene.handles[i], this));
     turning(this.canvas, this.stage.camera, () => this.schedule());
+    this.badges = typeof Badges === "function" ? new Badges(this) : null;
     working(this);
     questioning(this);
     conversing(this);
+    clicking();
+    this.draw();
   }
 
   // --- values --------------------------------------------------------------------------------------------------------
@@ -73,19 +77,18 @@ class Page {
   }
 
   // --- drawing -------------------------------------------------------------------------------------------------------
-  schedule() {
-    this.waiting ||= requestAnimationFrame(() => {
-      this.waiting = 0;
-      this.draw();
-    });
-  }
+  schedule() { this.waiting ||= requestAnimationFrame(() => this.draw()); }
 
   // The picture at once and with hard edges; its numbers and plot once it is shown; soft edges when nothing moves.
   draw() {
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
     if (this.gpu.lost) return;
     this.picture(false);
     clearTimeout(this.resting);
-    this.after ||= setTimeout(() => {
+    this.badges?.moved();
+    const seen = this.frames ? setTimeout : act => requestAnimationFrame(() => setTimeout(act));
+    this.after ||= seen(() => {
       this.after = 0;
       if (!this.frames) this.name();
       this.tell();
@@ -93,12 +96,14 @@ class Page {
       this.resting = setTimeout(() => this.rest(), 250);
       this.frames = (this.frames || 0) + 1;
       document.documentElement.dataset.drawn = this.frames;
-      if (this.frames === 1) setTimeout(typeset);
+      if (this.frames > 1) return;
+      post({halfway: "ready", step: this.content.step});
+      setTimeout(typeset);
     });
   }
 
   // Words first: their answer waits for what was drawn before. Where that is long, a moving picture has half the rows.
-  // The very first picture does without, because it would wait for the words' programs.
+  // The very first picture does without: it would wait for their programs.
   picture(fine) {
     const scale = this.stage.aim(fine || !this.heavy ? 1 : 0.5), start = performance.now();
     if (this.frames) this.name();
@@ -124,15 +129,12 @@ class Page {
     const exact = Object.fromEntries(readouts.map(({label}, i) => [label, sizes[i]]));
     this.numbers = readouts.map(({label, unit, absent}, i) =>
       ({label, value: sizes[i], text: absent && Number.isNaN(sizes[i]) ? absent : written(sizes[i], unit)}));
-    all("#numbers dd").forEach((cell, i) => {
+    all("#numbers > :not([hidden]) dd").forEach((cell, i) => {
       const {unit, against} = readouts[i], {text, value} = this.numbers[i], [number, error] = cell.children;
       cell.title = `${value} ${unit} (float32)`;
       number.textContent = text;
       error.textContent = against ? errorWords(value, exact[against], unit) : "";
     });
-    for (const one of all(".badges[data-depends]"))
-      one.classList.toggle("old", one.dataset.depends.split(" ").some(name =>
-        name && values[name] !== this.specs.get(name).default));
   }
 
   // The plot that is shown, or what a break puts in its place.
@@ -151,9 +153,11 @@ class Page {
     const found = this.stage.faults().map((count, i) => count ? `${count} pixels ${FAULTS[i]}` : "");
     $("faults").textContent = found.filter(Boolean).join(", ");
     if (this.content.plots[this.shown].kind === "space") this.plot(true);
+    this.badges?.judge();
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
+    this.deck.keep(state);
     try { history.replaceState(null, "", this.link()); } catch { /* a frame without an address */ }
     $("said").textContent = this.numbers.map(({label, text}) => `${label} ${text}`).join(", "); // for screen readers
     post(this.report());
