@@ -19,7 +19,7 @@ from app.catalog import step, steps
 from app.export.still import data
 from app.export.web import math
 from app.export.web.command import export, wanted
-from app.export.web.content import content, inks
+from app.export.web.content import content, contrast, inks
 from app.export.web.page import file_of
 from app.gpu.evaluate import evaluate
 from app.gpu.stage import Stage
@@ -36,7 +36,7 @@ from tests.test_twins import COUNTED, NAIVE
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
 PATCH = "solid_angle/patch"
-LARGEST, ZIPPED = 900_000, 420_000  # bytes of a page
+LARGEST, ZIPPED, WITHOUT_MATH, STILLS = 900_000, 420_000, 250_000, 80_000  # bytes of a page; of its stills at most
 SMALL = (160, 120)
 STRAY = 5  # pixels of 19200 at the very ends of lines and dots
 SEE = f"""() => {{
@@ -132,7 +132,8 @@ def test_a_page_is_the_step(found, folder, visitor, ctx):
     slider moves both; its formulas have their fonts."""
     path = folder / file_of(found.id)
     raw = path.read_bytes()
-    assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
+    assert len(raw) <= LARGEST - STILLS and len(gzip.compress(raw)) <= ZIPPED - STILLS
+    assert len(raw) - formulas(found) * (b'class="tex"' in raw) <= WITHOUT_MATH - STILLS
     tab, heard = visitor
     heard.said.clear()
     heard.asked.clear()
@@ -332,6 +333,19 @@ def test_a_lost_context_comes_back(patch):
     assert not patch.locator(".lost-note").is_visible()
 
 
+@pytest.mark.parametrize("id", ["brdfs/phong", "plausible_shading/compare"])
+def test_the_heaviest_pages_fit_with_their_stills(id, tmp_path):
+    export(step(id), tmp_path, poster=True)
+    raw = (tmp_path / file_of(id)).read_bytes()
+    assert raw.count(b"data:image/webp") >= 2 and len(raw) - formulas(step(id)) <= WITHOUT_MATH
+    assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
+
+
+def formulas(found) -> int:
+    """How many bytes a page carries for its formulas."""
+    return len((math.script() + math.style(math.fonts(found.step.prose + found.step.notes)) + math.licence()).encode())
+
+
 def test_without_webgl_it_is_a_still(tmp_path, browser):
     export(step(PATCH), tmp_path, poster=True)
     still = Image.open(tmp_path / "solid_angle-patch.png")
@@ -427,17 +441,12 @@ def test_themes_follow(patch):
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
-def test_quiet_words_can_be_read(theme):
+def test_words_can_be_read(theme):
+    assert contrast("#000000", "#FFFFFF") == pytest.approx(21)
+    assert contrast("#767676", "#FFFFFF") == pytest.approx(4.54, 1e-3)  # the grey that W3C names as just enough
     css = inks(theme)
-
-    def light(text: str) -> float:
-        linear = [(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4)
-                  for c in (int(text[i:i + 2], 16) / 255 for i in (1, 3, 5))]
-        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-    for ground in (css["background"], css["panel"]):
-        dim, bright = sorted((light(css["quiet"]), light(ground)))
-        assert (bright + 0.05) / (dim + 0.05) >= 4.5
+    for name in ("quiet", "foreground", *(name for name in css if name.endswith("-text"))):
+        assert min(contrast(css[name], css[ground]) for ground in ("background", "panel")) >= 4.5, name
 
 
 @pytest.mark.parametrize("size", [(390, 844), (844, 390), (1280, 720), (1920, 1080)])
