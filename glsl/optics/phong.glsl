@@ -60,7 +60,8 @@ float lobe_flux_phong(float theta_v, float exponent) {
     float c = cos(theta_v), s = sin(theta_v), sum = 0.0, edge = max(0.5 * PI - theta_v, 0.0), low = 0.0;
     for (int piece = 0; piece < 10; piece++) {
         float high = quadrature_end(piece, edge, 0.5 * PI, inversesqrt(exponent + 1.0)), size = high - low, part = 0.0;
-        for (int i = 0; i < 24 && size > 0.0; i++) {
+        int count = size > 0.0 ? 24 : 0; // no constant: a compiler would write out all rounds
+        for (int i = 0; i < count; i++) {
             float turn = 0.5 * PI * LEGENDRE_X[i], x = sin(turn), a = low + size * x * x;
             float big_a = c * cos(a), big_b = s * sin(a);
             float turned = arccos(big_b > 0.0 ? clamp(-big_a / big_b, -1.0, 1.0) : -1.0);
