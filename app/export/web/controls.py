@@ -61,7 +61,6 @@ def numbers(found: LoadedStep) -> str:
 
 def breaks(found: LoadedStep) -> str:
     return "".join(f'<label class="break"><input type="checkbox" value="{i}"> break it: {escape(one.label)}</label>'
-                   f'<template id="numbers-{i}">{numbers(broken(found, i).step.readouts)}</template>'
                    for i, one in enumerate(found.step.breaks))
 
 

@@ -41,8 +41,6 @@ function breaking(page, box) {
   for (const other of all(".break input")) other.checked &&= other === box;
   const {breaks, scene, readouts} = page.content, whole = {scene, readouts, put: {}, sets: {}, told: ""};
   const now = box.checked ? breaks[box.value] : whole;
-  page.sound ??= $("numbers").innerHTML;
-  $("numbers").innerHTML = box.checked ? $(`numbers-${box.value}`).innerHTML : page.sound;
   Object.assign(page, {readouts: now.readouts, put: now.put});
   page.stage.scene = now.scene;
   page.stage.begin();
