@@ -57,15 +57,16 @@ def who_knows(found: tuple[Block, ...], known: frozenset[str]) -> dict[Block, tu
         name = parameters(code)[0]
         return {one for one in known if ((name, one) in taken if one in at[name] else not hides(one, code))}
 
+    hopes = {name for name, _ in taken}
+    calls = [(code, name, given) for code in codes.values() for name, given in called(code) if name in hopes]
     before: set = set()
     while before != taken:
         before = set(taken)
-        for code in codes.values():
-            for name, given in called(code):
-                for one in [one for called_name, one in taken if called_name == name]:
-                    value = given[at[name].index(one)] if len(given) == len(at[name]) else ""
-                    if value != one or one not in own(code):
-                        taken.discard((name, one))
+        for code, name, given in calls:
+            for one in [arg for arg in at[name] if (name, arg) in taken]:
+                value = given[at[name].index(one)] if len(given) == len(at[name]) else ""
+                if value != one or one not in own(code):
+                    taken.discard((name, one))
     is_own = "surface" in known and not any(re.search(r"\.id\s*=[^=]", code) for code in codes.values()) and all(
         given[0] == "surface" for code in codes.values() for name, given in called(code) if name == SURFACE)
     ids = {part: [f"{arg}.id" for kind, arg in parameters(code)[1] if kind == SURFACE and is_own]

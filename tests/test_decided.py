@@ -11,7 +11,8 @@ from app.catalog import step, steps, values_of
 from app.export.still import data
 from app.export.web.content import content
 from app.gpu.pick import raw
-from app.gpu.stage import KEPT, Stage
+from app.gpu.scene_programs import KEPT
+from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
 from app.inspection import inspect
 from app.inspection import words as inspected
@@ -112,10 +113,10 @@ def test_few_choices_are_kept_and_others_released(ctx, compiled):
     scene_programs = dict(stage.programs)
     for number in (1, 2, 3, 0, 1, 2, 3):
         picture(stage, values | {"light_shape": number})
-    assert len(stage.others) == 3 <= KEPT
-    own = list(stage.passing.values())
-    stage.others.clear()
-    stage.let_go()
+    assert len(stage.own.others) == 3 <= KEPT
+    own = list(stage.own.passing.values())
+    stage.own.others.clear()
+    stage.own.let_go()
     assert sum(type(use.mglo).__name__ == "InvalidObject" for use in own) > 3
     assert picture(stage, values).std() > 5 and dict(stage.programs) == scene_programs
     stage.release()
@@ -138,15 +139,38 @@ def test_a_text_that_is_edited_is_right_for_every_choice(ctx, compiled):
     stage.rewrite(edit.overrides({"sample_share": text}, known, source))
     edited = picture(stage, values)
     assert np.abs(edited - before).max() > 20
-    count = len(compiled)
-    assert np.abs(picture(stage, values | {"light_shape": 1}) - edited).max() > 20
-    assert len(compiled) == count, "no choice is compiled anew"
+    plain, now = on_stage(WORK, values, ctx, decided=()), values | {"light_shape": 1}
+    plain.rewrite(edit.overrides({"sample_share": text}, known, source))
+    assert np.abs(picture(stage, now) - edited).max() > 20
+    assert np.abs(picture(stage, now) - picture(plain, now)).max() <= 1
     stage.rewrite(())
-    plain = on_stage(WORK, values, ctx, decided=())
-    now = values | {"light_shape": 1}
+    plain.rewrite(())
     assert np.abs(picture(stage, now) - picture(plain, now)).max() <= 1
     stage.release()
     plain.release()
+
+
+def test_a_mistake_is_told_where_it_is_not_chosen_now_too(ctx):
+    known, source, values = edit.functions(WORK), edit.source_of(WORK), whole(WORK)
+    stage = Stage(ctx, source, None, values)
+    text = known["shade"].text.replace("{", "{ if (light_shape == 3) return vec3(mistaken);", 1)
+    with pytest.raises(Problem, match=r"^your shade, line 1: .*mistaken"):
+        stage.rewrite(edit.overrides({"shade": text}, known, source))
+    stage.release()
+
+
+def test_an_edit_compiles_what_holds_it_and_no_more(ctx, compiled):
+    """Of one kind of surface no more than one program, and nothing that does not hold the text."""
+    for found, name in ((WORK, "sample_share"), (step("plausible_shading/everything"), "d_beckmann"),
+                        (step("microfacets/cook_torrance"), "d_beckmann")):
+        known, source, values = edit.functions(found), edit.source_of(found), whole(found)
+        stage = Stage(ctx, source, values.get("triangles"), values)
+        picture(stage, values)
+        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float first = 0.0;", 1)}, known, source))
+        del compiled[:]
+        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float second = 0.0;", 1)}, known, source))
+        assert 1 <= len(compiled) <= 3 and all("float second" in text for text in compiled)
+        stage.release()
 
 
 def test_a_picked_pixel_follows_a_choice(ctx):

@@ -125,7 +125,7 @@ def test_the_picture_follows_and_the_last_good_one_stays(ctx):
     assert np.array_equal(picture(), second)
     stage.rewrite(())
     assert np.array_equal(picture(), first)
-    assert not stage.passing  # what was edited is released
+    assert not stage.own.passing  # what was edited is released
     stage.release()
 
 

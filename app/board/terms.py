@@ -3,8 +3,7 @@
     board:WORD     f(n, l, v, channel, values) in 1/sr
     half:WORD      f(theta_h, theta_d, phi_d, channel, values), the same in the angles of the halfway vector, 0 below
                    the horizon
-    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1.5e-4 (app/furnace.py),
-                   nearer to the horizon than two degrees to 8e-4
+    albedo:WORD    albedo(theta_v, channel, values), the share of the light that is sent on: to 1e-4 (app/furnace.py)
 
 WORD is what `halfway board` takes: a model of the course or a path. `channel` is 0, 1 or 2, or LUMINANCE for what the
 three weigh together; `values` are the model's parameters in their order, a colour as three numbers; of a model that

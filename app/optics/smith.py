@@ -28,15 +28,16 @@ def lambda_beckmann_slope(slope):
     Source: Smith 1967; Walter et al. 2007; the fraction is Laplace's (Abramowitz & Stegun 7.1.14).
     """
     x = np.asarray(slope, float)
-    near, far = np.maximum(x, 0.4), np.minimum(x, 0.5)
-    a = 1 / near
-    difference = np.exp(-a * a) / (2 * math.sqrt(math.pi) * a) - np.asarray(_ERFC(a), float) / 2
-    a = 1 / np.maximum(far, 1e-3)  # beyond, e^(-a^2) is 0
+    found = np.where(np.isnan(x), x, 0.0)  # below 1 / 27.4 e^(-a^2) is 0
+    near, far = x > 0.5, (x > 1 / 27.4) & (x <= 0.5)
+    a = 1 / x[near]
+    found[near] = np.exp(-a * a) / (2 * math.sqrt(math.pi) * a) - np.asarray(_ERFC(a), float) / 2
+    a = 1 / x[far]
     r = np.zeros_like(a)
     for k in range(80, 0, -1):
         r = 0.5 * k / (a + r)
-    fraction = np.exp(-a * a) / (2 * math.sqrt(math.pi)) * r / (a * (a + r))
-    return np.where(x > 0.5, difference, fraction)[()]
+    found[far] = np.exp(-a * a) / (2 * math.sqrt(math.pi)) * r / (a * (a + r))
+    return found[()]
 
 
 def lambda_beckmann_slope_naive(slope):

@@ -140,7 +140,7 @@ class BoardPanel:
             return
         entry = self.found.shown[int(values["model"])]
         key = self.found.id, entry.word, self.app.session.revision
-        if self.figures[0] != key:
+        if self.figures[0] != key and not self.app.text_is_new:
             if self.figures[0] is None or self.figures[0][:2] != key[:2]:
                 self.measured.clear()
             factors = replace(self.found.step, readouts=entry.factors)

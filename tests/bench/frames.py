@@ -1,6 +1,8 @@
 """Frames of 512 x 512 of every scene, ended with glFinish: without it llvmpipe has not drawn anything yet."""
 
-from itertools import count
+import os
+from dataclasses import replace
+from itertools import count, cycle
 
 from app import catalog, edit
 from app.export.still import data
@@ -13,7 +15,11 @@ from app.theme import THEMES
 from tests.bench.rows import Job, Row, in_turn, timed
 
 SIZE = (512, 512)
-EDITED = "microfacets/cook_torrance"
+EDITED = ("microfacets/cook_torrance", "d_beckmann"), ("microfacets/cook_torrance", "shade"), (
+    "plausible_shading/board", "d_beckmann"), ("plausible_shading/everything", "d_beckmann"), (
+    "board/cook_torrance", "d_beckmann"), ("board/cook_torrance+oren_nayar+phong", "d_beckmann")
+ASKED_OF_A_KEY = 100.0
+FLIPPED = {"lights/area_sampled": "sampling", "lights/area_work": "sampling", "plausible_shading/board": "shows"}
 ASKED, ASKED_OF_A_BALL = 3.0, 2.0
 BALL = """
 #include "display/balls.glsl"
@@ -43,13 +49,41 @@ def jobs() -> dict[str, Job]:
         for fine in (False, True):
             what = "at rest (4 samples)" if fine else "moving"
             found[f"{step.id}, {what}"] = frame(stage, values, step.step.scene.camera, fine)
-    return found | {f"{EDITED}, {name} typed": edited(catalog.step(EDITED), name) for name in ("d_beckmann", "shade")}
+    found |= {f"{id}, {name} chosen anew": flipped(catalog.step(id), name) for id, name in FLIPPED.items()}
+    found |= {f"{id}, asked at every pixel": asking(catalog.step(id)) for id in FLIPPED}
+    return found | {f"{id}, {name} typed": edited(catalog.step(id), name) for id, name in EDITED}
+
+
+def flipped(step: catalog.LoadedStep, name: str) -> Job:
+    """From a click on a choice that a scene decides to the picture: each time it is compiled."""
+    values, scene = defaults(step), step.step.scene
+    numbers = cycle([i for i in range(len(step.values[name].choices)) if i != values[name]])
+    values |= data(step, values)
+    stage = Stage(context(), Source(scene, step.file_name, step.glsl_line), values.get("triangles"), values)
+
+    def click() -> None:
+        stage.own.others.clear()
+        stage.own.let_go()
+        stage.draw(values | {name: next(numbers)}, scene.camera, SIZE, THEMES["dark"], False, counted=False)
+        stage.ctx.finish()
+
+    return timed(click)
+
+
+def asking(step: catalog.LoadedStep) -> Job:
+    """The same picture, moving, by programs that ask at every pixel what is chosen."""
+    values, scene = defaults(step), replace(step.step.scene, decided=())
+    values |= data(step, values)
+    stage = Stage(context(), Source(scene, step.file_name, step.glsl_line), values.get("triangles"))
+    return frame(stage, values, scene.camera, False)
 
 
 def edited(step: catalog.LoadedStep, name: str) -> Job:
     """From a key to the picture: each time another text, checked, compiled and drawn."""
     known, source, values = edit.functions(step), edit.source_of(step), defaults(step)
-    stage, numbers = Stage(context(), source), count()
+    values |= step.derived(values)
+    values |= data(step, values)
+    stage, numbers = Stage(context(), source, values.get("triangles"), values), count()
 
     def key() -> None:
         text = known[name].text.replace("{", f"{{ float key = {next(numbers)}.0;", 1)
@@ -71,7 +105,9 @@ def frame(stage: Stage, values: dict, camera: Camera, fine: bool) -> Job:
 
 
 def frames(rounds: int = 25) -> list[Row]:
-    """An empty frame is the reference."""
+    """An empty frame is the reference. No program comes from a compilation of yesterday."""
+    os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
     made = jobs()
     asked = {name: ASKED_OF_A_BALL if "ball" in name else ASKED for name in made if name.endswith("moving")}
+    asked |= {name: ASKED_OF_A_KEY for name in made if name.endswith("typed")}
     return in_turn(made, rounds, asked=asked)

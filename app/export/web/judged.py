@@ -9,7 +9,9 @@ from app.optics import arguments
 from app.quadrature import gauss_legendre
 from app.quantities import FROM_ANGLES
 
+TILE = 5  # nodes of a tile along a side, of the page's own sums
 SAME = 3e-6  # two ways around one of our float32 twins differ by up to 3e-7, other formulas by more
+TILE = 5  # nodes along a side of a page's tile
 
 
 def badges(model: Model, values: dict, twins: Twins) -> Data:
@@ -31,7 +33,7 @@ def rules() -> Data:
     """The directions at which badges look, their limits and their words: one source for desktop and page."""
     return {"views": judge.VIEWS.tolist(), "extremes": judge.EXTREMES.tolist(), "turns": judge.AROUND.tolist(),
             "seen": judge.SEEN, "same": SAME, "limit": judge.MOST, "radiances": judge.RADIANCES,
-            "along": rule(furnace.FIRST[0]), "around": furnace.FIRST[1], "tile": rule(furnace.ORDER),
+            "along": rule(furnace.FIRST[0]), "around": furnace.FIRST[1], "tile": rule(TILE),
             "narrowest": furnace.NARROWEST, "part": furnace.PART,
             "told": judge.TOLD, "unknown": judge.UNKNOWN, "names": judge.PLACES}
 
