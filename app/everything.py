@@ -6,6 +6,7 @@ Vertices, surfaces and pixels stay the scene's own; only what colours a pixel be
 import numpy as np
 
 from app import shader
+from app.gpu.scene_programs import ScenePrograms
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Programs, programs
 from app.lesson import Scene
@@ -26,19 +27,23 @@ MAP = np.random.default_rng(1).integers(60, 256, (64, 64, 4)).astype(np.uint8)  
 SHADES = ("surface", "mesh")  # the programs that colour surfaces
 
 
-class EverythingOn(Stage):
-    """A stage whose surfaces are coloured by the yardstick: one program for all of them, so it is compiled once."""
+class Yardstick(ScenePrograms):
+    """Surfaces are coloured by the yardstick: one program for all of them, so it is compiled once."""
 
     one_program = True
+
+    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
+        return {name: (vertex, shading() if name in SHADES else fragment)
+                for name, (vertex, fragment) in super().texts(names, known).items()}
+
+
+class EverythingOn(Stage):
+    kind: type[ScenePrograms] = Yardstick
 
     def place(self, triangles: np.ndarray | None) -> None:
         super().place(triangles)
         if all(table.uniform != "roughness_map" for table in self.scene.tables):
             self.hold("roughness_map", MAP)
-
-    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
-        return {name: (vertex, shading() if name in SHADES else fragment)
-                for name, (vertex, fragment) in super().texts(names, known).items()}
 
 
 def shading(header: tuple[str, ...] = shader.DESKTOP) -> shader.Assembled:

@@ -180,7 +180,7 @@ n.l and n.v. Blinn-Phong can be tuned for one photograph, not for two. 6 minutes
                          without={"f_material": "f_material_schlick"}, of="of the light"),
                 LeaveOut("G in the lamp's light", Term("cook_torrance_open_error"), 1e-3, "All facets open",
                          without={"cook_torrance_dg": "cook_torrance_open"}, of="of the highlight"),
-                LeaveOut("second bounces between facets", Term("bounced_light_error"), 1e-2, "One bounce",
+                LeaveOut("second bounces", Term("bounced_light_error"), 1e-2, "One bounce",
                          without={"bounced_light": "bounced_light_none"}, of="of the light")),
     minutes=6,
 )

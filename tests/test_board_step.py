@@ -126,7 +126,7 @@ def test_the_factors_make_the_model(name):
         d, g, f, low, whole = (number.value for number in numbers(found.step, values))
         assert whole == pytest.approx(d * g * f / low, rel=1e-9)
         same = optics.twin(PREFIX + name)(NORMAL, light_direction(values["theta_l"], values["phi"]),
-                                          view_direction(values["theta_v"]), *values["model0_values"])
+                                          view_direction(values["theta_v"]), *values["model0__values"])
         assert whole == pytest.approx(float(same), rel=1e-9)
 
 
@@ -317,6 +317,6 @@ def test_the_same_file_turned_is_another_albedo(tmp_path):
     model = opened(path)
     assert model.is_anisotropic and not opened(write_file(tmp_path, "plain.brdf")).is_anisotropic
     values = values_of(found)
-    for badge in judged(f"board:{path}", values["model0_values"]).values():
+    for badge in judged(f"board:{path}", values["model0__values"]).values():
         at = values | badge.at
         assert not badge.at or math.isclose(tangent_azimuth(at["theta_v"], at["turned"]), 0.0, abs_tol=1e-9)

@@ -11,7 +11,8 @@ from app.catalog import step, steps, values_of
 from app.export.still import data
 from app.export.web.content import content
 from app.gpu.pick import raw
-from app.gpu.stage import KEPT, Stage
+from app.gpu.scene_programs import KEPT
+from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
 from app.inspection import inspect
 from app.inspection import words as inspected
@@ -112,10 +113,10 @@ def test_few_choices_are_kept_and_others_released(ctx, compiled):
     scene_programs = dict(stage.programs)
     for number in (1, 2, 3, 0, 1, 2, 3):
         picture(stage, values | {"light_shape": number})
-    assert len(stage.others) == 3 <= KEPT
-    own = list(stage.passing.values())
-    stage.others.clear()
-    stage.let_go()
+    assert len(stage.own.others) == 3 <= KEPT
+    own = list(stage.own.passing.values())
+    stage.own.others.clear()
+    stage.own.let_go()
     assert sum(type(use.mglo).__name__ == "InvalidObject" for use in own) > 3
     assert picture(stage, values).std() > 5 and dict(stage.programs) == scene_programs
     stage.release()

@@ -46,7 +46,7 @@ def test_the_yardstick_colours_the_same_pixels(ctx):
 def test_every_feature_of_the_yardstick_is_in_it(ctx):
     """A feature counts as left out only if the yardstick itself has it: something of its files is compiled there."""
     stage = EverythingOn(ctx, Source(CONE.step.scene))
-    files = set(stage.texts(("surface",))["surface"][1].files)
+    files = set(stage.own.texts(("surface",))["surface"][1].files)
     stage.release()
     for name, of in FEATURES.items():
         assert any(f"glsl/optics/{file}.glsl" in files for file in of), name
@@ -237,7 +237,7 @@ def test_without_g_there_is_less_to_do():
     assert "left out. All facets open, at most" in said and "of the highlight off" in said
 
 
-TWICE = "second bounces between facets"
+TWICE = "second bounces"
 
 
 @pytest.mark.parametrize(("material", "is_out"), [(0, True), (2, True), (4, True), (5, False), (7, False), (8, False)])

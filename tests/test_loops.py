@@ -75,9 +75,9 @@ def test_what_glsl_counts_is_what_is_told():
 def test_the_courses_own_loops_are_not_counted(ctx):
     """But for an edited function the text of a step is the course's, also in the file that the function stands in."""
     stage = Stage(ctx, edit.source_of(step(STEP)))
-    assert not stage.watched
+    assert not stage.own.watched
     stage.rewrite(edits(edit.functions(step(STEP))["d_beckmann"].text + "\n"))
-    assert not stage.watched and stage.source.overrides
+    assert not stage.own.watched and stage.source.overrides
     stage.release()
 
 
@@ -96,7 +96,7 @@ def test_an_endless_loop_is_told_and_the_picture_goes_on(ctx, name):
     with pytest.raises(Problem) as problem:
         stage.rewrite(edits(with_loop("d_beckmann", body)), lambda: watch(stage, values, camera))
     assert edit.complaints(str(problem.value), "d_beckmann") == [(1 + line, loops.NEVER)]
-    assert stage.programs == drawn_by and not stage.passing  # no frame waits for it
+    assert stage.programs == drawn_by and not stage.own.passing  # no frame waits for it
     assert np.array_equal(picture(), before)
     stage.release()
 
@@ -131,7 +131,7 @@ def test_a_loop_of_a_thousand_steps_changes_nothing(ctx):
         stage.rewrite(one, lambda: watch(stage, values, camera))
         stage.draw(values, camera, (96, 64), THEMES["dark"], fine=False)
         pictures.append(stage.picture.pixels())
-    assert stage.watched and np.array_equal(*pictures)
+    assert stage.own.watched and np.array_equal(*pictures)
     stage.release()
 
 
@@ -197,3 +197,21 @@ def test_the_window_tells_it_and_goes_on(tmp_path, monkeypatch):
         until(engine, window, lambda: not window.own.no_picture and window.scene.is_fine)
 
     drive(test, start=STEP)
+
+
+def test_a_file_on_the_board_stops_nothing_either(tmp_path, monkeypatch):
+    """At values where it never ends picture, numbers and ring have none; at others all is there again."""
+    monkeypatch.setenv("HALFWAY_DATA", str(tmp_path / "data"))
+    path = tmp_path / "x.brdf"
+    path.write_text(FILE, "utf-8")
+
+    def test(engine, window):
+        until(engine, window, lambda: window.scene.is_fine)
+        window.session.set("model0_k", 1.0)
+        until(engine, window, lambda: "line 9: this loop never ends" in window.own.no_picture)
+        until(engine, window, lambda: window.board.peak[1] == 0.0)
+        window.session.set("model0_k", 0.4)
+        until(engine, window, lambda: not window.own.no_picture and window.scene.is_fine)
+        until(engine, window, lambda: window.board.peak[1] > 0.0)
+
+    drive(test, start=f"board/{path}")

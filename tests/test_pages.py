@@ -14,11 +14,12 @@ import pytest
 from PIL import Image
 
 from app import meshes
+from app.breaking import values_of
 from app.catalog import step, steps
 from app.export.still import data
 from app.export.web import math
 from app.export.web.command import export, wanted
-from app.export.web.content import content, inks
+from app.export.web.content import content, contrast, inks
 from app.export.web.page import file_of
 from app.gpu.evaluate import evaluate
 from app.gpu.stage import Stage
@@ -27,6 +28,7 @@ from app.mesh_edges import corner_normals
 from app.problem import Usage
 from app.state import View, defaults, parse, write
 from app.terms import bound
+from app.terms import evaluate as evaluate_exactly
 from app.theme import THEMES
 from app.tolerance import FACTOR, ratio
 from tests.browser import CHROMIUM, chromium, opened, settle
@@ -34,7 +36,7 @@ from tests.test_twins import COUNTED, NAIVE
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
 PATCH = "solid_angle/patch"
-LARGEST, ZIPPED = 900_000, 420_000  # bytes of a page
+LARGEST, ZIPPED, WITHOUT_MATH, STILLS = 900_000, 420_000, 250_000, 80_000  # bytes of a page; of its stills at most
 SMALL = (160, 120)
 STRAY = 5  # pixels of 19200 at the very ends of lines and dots
 SEE = f"""() => {{
@@ -130,7 +132,8 @@ def test_a_page_is_the_step(found, folder, visitor, ctx):
     slider moves both; its formulas have their fonts."""
     path = folder / file_of(found.id)
     raw = path.read_bytes()
-    assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
+    assert len(raw) <= LARGEST - STILLS and len(gzip.compress(raw)) <= ZIPPED - STILLS
+    assert len(raw) - formulas(found) * (b'class="tex"' in raw) <= WITHOUT_MATH - STILLS
     tab, heard = visitor
     heard.said.clear()
     heard.asked.clear()
@@ -252,18 +255,25 @@ def test_the_address_is_the_state(folder, browser):
 
 def test_broken_and_mended(folder, browser):
     """The naive form, at the values where it fails, in picture and numbers; and back."""
-    found = step("solid_angle/cone")
+    found = step("radiometry/inverse_square")
+    one, first = found.step.breaks[0], found.step.readouts[0].label
     with opened(browser, folder / file_of(found.id)) as (tab, heard):
         settle(tab)
-        label = next(one.label for one in found.step.readouts if one.term.function == "solid_angle_cone"
-                     and one.role != "exact")
+        programs = tab.evaluate("JSON.stringify(halfway.stage.scene.programs)")
         tab.locator(".break input").check()
-        tab.wait_for_function("() => halfway.state().includes('half_angle=0.01')")
-        broken = number(tab, label)
-        assert found.step.breaks[0].told in tab.locator("#broken").inner_text()
+        tab.wait_for_function("() => halfway.state().includes('radius=0.0006')")
+        right, wrong = number(tab, one.number), number(tab, f"{one.number}, broken")
+        exact = float(evaluate_exactly(one.term, defaults(found) | values_of(found, one)))
+        assert right == pytest.approx(exact, rel=1e-5) and abs(wrong / exact - 1) > 1e-2
+        assert one.told in tab.locator("#broken").inner_text()
+        rows = tab.locator("#numbers")
+        assert rows.get_by_text(f"{one.number}, broken", exact=True).is_visible()
+        assert not rows.get_by_text(first, exact=True).is_visible()
+        assert tab.evaluate("JSON.stringify(halfway.stage.scene.programs)") != programs
         tab.locator(".break input").uncheck()
-        mended = number(tab, label)
-        assert broken != mended and mended == pytest.approx(np.pi * np.radians(0.01) ** 2, rel=1e-6)
+        assert number(tab, first) == pytest.approx(1.1309734e-4, rel=1e-5)
+        assert rows.get_by_text(first, exact=True).is_visible()
+        assert tab.evaluate("JSON.stringify(halfway.stage.scene.programs)") == programs
     assert heard.said == []
 
 
@@ -300,6 +310,19 @@ def test_a_lost_context_comes_back(patch):
     settle(patch, drawn)
     assert patch.evaluate(SEE) == before
     assert not patch.locator(".lost-note").is_visible()
+
+
+@pytest.mark.parametrize("id", ["brdfs/phong", "plausible_shading/compare"])
+def test_the_heaviest_pages_fit_with_their_stills(id, tmp_path):
+    export(step(id), tmp_path, poster=True)
+    raw = (tmp_path / file_of(id)).read_bytes()
+    assert raw.count(b"data:image/webp") >= 2 and len(raw) - formulas(step(id)) <= WITHOUT_MATH
+    assert len(raw) <= LARGEST and len(gzip.compress(raw)) <= ZIPPED
+
+
+def formulas(found) -> int:
+    """How many bytes a page carries for its formulas."""
+    return len((math.script() + math.style(math.fonts(found.step.prose + found.step.notes)) + math.licence()).encode())
 
 
 def test_without_webgl_it_is_a_still(tmp_path, browser):
@@ -397,17 +420,12 @@ def test_themes_follow(patch):
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
-def test_quiet_words_can_be_read(theme):
+def test_words_can_be_read(theme):
+    assert contrast("#000000", "#FFFFFF") == pytest.approx(21)
+    assert contrast("#767676", "#FFFFFF") == pytest.approx(4.54, 1e-3)  # the grey that W3C names as just enough
     css = inks(theme)
-
-    def light(text: str) -> float:
-        linear = [(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4)
-                  for c in (int(text[i:i + 2], 16) / 255 for i in (1, 3, 5))]
-        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-    for ground in (css["background"], css["panel"]):
-        dim, bright = sorted((light(css["quiet"]), light(ground)))
-        assert (bright + 0.05) / (dim + 0.05) >= 4.5
+    for name in ("quiet", "foreground", *(name for name in css if name.endswith("-text"))):
+        assert min(contrast(css[name], css[ground]) for ground in ("background", "panel")) >= 4.5, name
 
 
 @pytest.mark.parametrize("size", [(390, 844), (844, 390), (1280, 720), (1920, 1080)])

@@ -5,7 +5,8 @@ import pytest
 
 from app import optics, shader
 from app.gpu.pick import pick
-from app.gpu.stage import MANY, Stage
+from app.gpu.scene_programs import MANY
+from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.lesson import Camera, Dots, Label, Mark, Surface
 from app.meshes import built_in

@@ -6,7 +6,8 @@ import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app.gpu.stage import Stage, program_of
+from app.gpu.scene_programs import program_of
+from app.gpu.stage import Stage
 from app.gpu.stage_text import look
 from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera
@@ -49,7 +50,7 @@ def raw(stage: Stage, values: dict, camera: Camera, theme: Theme, size: tuple[in
     ctx = stage.ctx
     with ctx:
         stage.decide(values)
-        stage.compile(tuple(name for name in names if name not in stage.programs))
+        stage.own.compile(tuple(name for name in names if name not in stage.programs))
         parts = [ctx.renderbuffer(size, 4, dtype="f4") for _ in range(3)]
         parts.append(ctx.depth_renderbuffer(size))
         target, before = ctx.framebuffer(parts[:3], parts[3]), ctx.fbo

@@ -1,177 +1,74 @@
 """Plays a scene: draws it into its own picture, answers its probes."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import moderngl
 import numpy as np
 
 from app import camera as orbit
-from app import loops
-from app.gpu.context import endless, pixel, program
+from app.gpu.context import endless, pixel
 from app.gpu.evaluate import data_texture
 from app.gpu.picture import SAMPLES, Picture
-from app.gpu.stage_text import (
-    COLOURS,
-    LINES,
-    TIP_SIZE,
-    TIPS,
-    Programs,
-    Source,
-    grid,
-    is_made_of,
-    look,
-    needed,
-    pen,
-    programs,
-    typed_alone,
-)
+from app.gpu.scene_programs import ScenePrograms, program_of
+from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Source, grid, look, pen
 from app.gpu.uniforms import give, on_gpu
-from app.lesson import Camera, Mark, Surface
+from app.lesson import Camera, Mark
 from app.mesh_edges import corner_normals
 from app.problem import Problem
-from app.shader import Assembled, Overrides
+from app.shader import Overrides
 from app.theme import Theme, rgb
 
 WITHOUT = np.zeros((1, 3, 3))  # texture coordinates of a mesh that has none
 OVER: Any = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
-KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
-MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-
-
 
 
 class Stage:
-    one_program = False  # for all surfaces, rather than one for each
+    kind: type[ScenePrograms] = ScenePrograms
 
     def __init__(self, ctx: moderngl.Context, source: Source, triangles: np.ndarray | None = None,
                  values: dict | None = None):
         """`values`: of the first picture, for what the scene decides; without one it is the first of each choice."""
-        self.ctx, self.source, self.scene = ctx, source, source.scene
+        self.ctx, self.scene = ctx, source.scene
         self.picture, self.matrix, self.line_width = Picture(ctx), np.eye(4), 2.0
         self.geometry: dict[str, tuple] = {}  # name -> (buffer, layout, attribute), indices
         self.arrays: dict[tuple[moderngl.Program, str], moderngl.VertexArray] = {}
-        self.programs: dict[str, moderngl.Program] = {}
-        self.choice = dict.fromkeys(self.scene.decided, 0)  # what the programs are compiled for
-        self.others: dict[tuple[int, ...], tuple] = {}  # programs and watched of other choices, the latest last
         self.data: dict[str, tuple[np.ndarray, moderngl.Texture]] = {}  # uniform -> what it holds; units in this order
-        self.passing: dict = {}  # programs of its own
-        self.watched: Programs = {}  # those with a loop of the user's
         with ctx:
-            self.choice |= self.chosen(values or {})
-            self.compile(None)
+            self.own = self.kind(ctx, source, values or {}, self.forget)
             self.place(triangles)
 
     # --- programs --------------------------------------------------------------------------------------------------
-    def chosen(self, values: dict) -> dict[str, int]:
-        """Of these values what the scene decides; what they do not have stays."""
-        values = on_gpu(self.scene, values)
-        return {name: int(values.get(name, now)) for name, now in self.choice.items()}
+    @property
+    def source(self) -> Source:
+        return self.own.source
 
-    def decide(self, values: dict) -> None:
-        """The programs for what is chosen now: compiled when it is chosen first, found again later."""
-        choice = self.chosen(values)
-        if choice == self.choice:
-            return
-        before, self.choice = self.choice, choice
-        self.others[tuple(before.values())] = self.programs, self.watched
-        known = self.others.pop(tuple(choice.values()), None)
-        self.programs, self.watched = known or (self.compiled(None), self.watched)
-        if len(self.others) > KEPT:
-            self.others.pop(next(iter(self.others)))
-        self.let_go()
-        self.hold_mesh()
+    @property
+    def programs(self) -> dict[str, moderngl.Program]:
+        return self.own.now
 
     def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
-        """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
-        what was drawn before goes on. Programs without these texts are found again, not compiled."""
-        if overrides == self.source.overrides:
-            return
-        before, runs = (self.source, self.programs, self.watched, self.others), False
-        self.source, self.others = replace(self.source, overrides=overrides), {}
-        try:
-            with self.ctx:
-                if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
-                    program(self.ctx, *typed, (), self.passing)
-                self.programs = self.compiled(None)
-            trial()
-            runs = True
-        finally:
-            if not runs:
-                self.source, self.programs, self.watched, self.others = before
-            with self.ctx:
-                self.let_go()
+        """Other texts in the scene, where they compile and pass the `trial`; else a Problem, and all is as before."""
+        if overrides != self.source.overrides:
+            self.own.rewrite(overrides, trial)
 
-    def let_go(self) -> None:
-        """Release the programs of the stage's own that nothing here draws with."""
-        used = {use for made, _ in ((self.programs, 0), *self.others.values()) for use in made.values()}
-        for key in [key for key, use in self.passing.items() if use not in used]:
-            gone = self.passing.pop(key)
-            for name in [name for name in self.arrays if name[0] is gone]:
-                self.arrays.pop(name).release()
-            gone.release()
+    def decide(self, values: dict) -> None:
+        if self.own.decide(values):
+            self.hold_mesh()
 
-    def compile(self, names: tuple[str, ...] | None) -> None:
-        self.programs |= self.compiled(names)
+    def forget(self, gone: moderngl.Program) -> None:
+        for key in [key for key in self.arrays if key[0] is gone]:
+            self.arrays.pop(key).release()
 
     def settle(self, values: dict, camera: Camera, theme: Theme) -> bool:
         """Where surfaces share a program one more gets its own, compiled for every kind of picture: for idle moments,
         as it takes a tenth of a second. False: there is none left. The picture stays what it was, with soft edges."""
-        shared = {i: program_of(surface) for i, surface in enumerate(self.scene.surfaces)}
-        shared = {i: use for i, use in shared.items() if use in self.programs and f"{use} {i}" not in self.programs}
-        if not shared:
-            return False
-        todo, use = next(iter(shared.items()))
-        vertex, fragment = pair = self.texts((use,), self.choice | {"surface": todo})[use]
         with self.ctx:
-            own = program(self.ctx, vertex, fragment, (), self.passing_now)
-        self.programs[f"{use} {todo}"] = own
-        if has_loops(pair):
-            self.watched[f"{use} {todo}"] = pair
+            if not self.own.one_more():
+                return False
         for fine, counted in ((False, False), (False, True), (True, False)):
             self.draw(values, camera, self.picture.size, theme, fine, counted)
         return True
-
-    @property
-    def passing_now(self) -> dict | None:
-        """Where programs of its own are kept: of a text that is being edited, of a choice made later."""
-        return self.passing if self.source.overrides or self.others else None
-
-    def compiled(self, names: tuple[str, ...] | None) -> dict[str, moderngl.Program]:
-        found: dict[str, moderngl.Program] = {}
-        watched: Programs = {}
-        for name in needed(self.scene) if names is None else names:
-            for called, pair in self.wanted(name).items():
-                vertex, fragment = pair
-                if has_loops(pair):
-                    watched[called] = pair
-                values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
-                found[called] = program(self.ctx, vertex, fragment, values, self.passing_now)
-        if names is None:
-            self.watched = watched
-        return found
-
-    def wanted(self, name: str) -> Programs:
-        """The texts of the programs of that kind, by what each is called: one, or one for each surface.
-
-        Its number is a constant then: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
-        scene does for other surfaces would make its frames up to twice as slow. Of a text that is being edited no
-        more than one program of a kind is compiled: a hand that types waits for it."""
-        all_of_them = {name: self.texts((name,), self.choice)[name]}
-        if name not in ("surface", "mesh") or self.one_program or len(self.scene.surfaces) > MANY:
-            return all_of_them
-        each = {f"{name} {i}": self.texts((name,), self.choice | {"surface": i})[name]
-                for i, surface in enumerate(self.scene.surfaces) if program_of(surface) == name}
-        mine = [called for called, pair in each.items() if is_made_of(pair, self.source.overrides)]
-        if len(mine) < 2:
-            return each
-        return {called: pair for called, pair in each.items() if called not in mine} | all_of_them
-
-    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
-        """What is compiled, for the values that are `known`."""
-        of = self.source
-        return programs(self.scene, of.file, of.first, names=names, overrides=of.overrides, known=known, watched=True)
 
     # --- constant data ---------------------------------------------------------------------------------------------
     def place(self, triangles: np.ndarray | None) -> None:
@@ -359,7 +256,7 @@ class Stage:
             self.take_tables(given)
             self.bind_data(use)
             give(use, **on_gpu(self.scene, given))
-            width = 4 + (name in self.watched)
+            width = 4 + (name in self.own.watched)
             before, out = self.ctx.fbo, self.ctx.buffer(reserve=4 * width * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
@@ -367,7 +264,7 @@ class Stage:
             answer = np.frombuffer(out.read(), "f4").reshape(count, width)
             out.release()
             if lines := answer[:, 4:].copy().view("i4").max(initial=0):
-                raise endless(int(lines), self.watched[name][0])
+                raise endless(int(lines), self.own.watched[name][0])
             return answer[:, :4].astype(float)
 
     # --- the end ---------------------------------------------------------------------------------------------------
@@ -387,14 +284,4 @@ class Stage:
         with self.ctx:
             self.release_geometry()
             self.picture.release()
-            for use in self.passing.values():
-                use.release()
-
-
-def has_loops(pair: tuple[Assembled, Assembled | None]) -> bool:
-    """Whether there are loops of the user's in a program."""
-    return any(part is not None and loops.COUNT in part.text for part in pair)
-
-
-def program_of(surface: Surface) -> str:
-    return "mesh" if surface.mesh else "surface"
+            self.own.release()

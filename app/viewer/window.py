@@ -267,7 +267,10 @@ class Window:
         truth = found.step.ask.sets.get("shape")
         mesh = self.own.mesh_named(int(truth)) if isinstance(truth, int | float) else self.own.triangles
         data = tables.chosen(found.step.scene, truth_values(found))
-        self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
+        try:
+            self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
+        except Problem as problem:  # a file of the user's on the board
+            self.message = str(problem)
 
     def set_value(self, name: str, value: Number) -> None:
         try:

@@ -62,8 +62,8 @@ def flipped(step: catalog.LoadedStep, name: str) -> Job:
     stage = Stage(context(), Source(scene, step.file_name, step.glsl_line), values.get("triangles"), values)
 
     def click() -> None:
-        stage.others.clear()
-        stage.let_go()
+        stage.own.others.clear()
+        stage.own.let_go()
         stage.draw(values | {name: next(numbers)}, scene.camera, SIZE, THEMES["dark"], False, counted=False)
         stage.ctx.finish()
 

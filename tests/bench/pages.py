@@ -26,8 +26,6 @@ MOVE = """share => {
     const page = halfway, gl = page.gpu.gl, start = performance.now();
     const spec = page.content.values.find(one => !one.choices.length && typeof one.default === "number");
     page.change({[spec.name]: fromSlider(share, spec)});
-    cancelAnimationFrame(page.waiting);
-    page.waiting = 0;
     page.draw();
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     return performance.now() - start;

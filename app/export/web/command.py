@@ -16,6 +16,7 @@ from app.export.markup import anchor
 from app.export.png import png
 from app.export.web import index
 from app.export.web.content import content
+from app.export.web.moving import moving
 from app.export.web.page import file_of, page
 from app.lesson import Study
 from app.problem import Problem, Usage
@@ -33,11 +34,14 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("-o", "--output", metavar="DIR", required=True, help="the folder the pages go to")
     parser.add_argument("--poster", action=BooleanOptionalAction, default=True,
                         help="a still beside each page and in it, for slides and browsers without WebGL2")
+    parser.add_argument("--film", action=BooleanOptionalAction,
+                        help="a film (GIF) beside each page, for slides: a second a step, with --all if asked for")
 
 
 def run(options: Namespace) -> int:
     todo = wanted(options.steps, options.all)
     folder = target.make_folder(options.output)
+    film = options.poster and not options.all if options.film is None else options.film
     done: list[LoadedStep] = []
     faults: list[str] = [] if options.steps else [loaded.fault for loaded in chapters() if loaded.fault]
     stopped = False
@@ -47,6 +51,8 @@ def run(options: Namespace) -> int:
                 tell(i, found.step.title)
                 try:
                     export(found, folder, options.poster)
+                    if film and (made := moving(found)):
+                        target.write(folder / f"{anchor(found.id)}.gif", made)
                     done.append(found)
                 except Problem as problem:
                     faults.append(f"{found.id}: {problem}")
@@ -83,9 +89,10 @@ def export(found: LoadedStep, folder: Path, poster: bool) -> None:
         values: dict = defaults(found)
         values |= carried(found, values)
         with Shooting(found, POSTER, DARK) as one:
-            picture = one.picture(values, one.camera([values], None))
+            camera, seen = one.camera([values], None), data["scene"]["camera"]
+            picture, seen["wide"] = one.picture(values, camera), camera.field_of_view
             # what fills a square picture fits into any
-            data["scene"]["camera"]["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
+            seen["field_of_view"] = framed(one.stage(values), values, SQUARE, DARK).field_of_view
         small = webp(picture.resize(SMALL, Image.Resampling.LANCZOS))
         stills = {i: webp(still_of(found, values, i)) for i, p in enumerate(data["plots"]) if p["kind"] == "still"}
         words = {"Title": found.step.title, "Software": f"Halfway {VERSION}", "halfway:state": write(found, values)}

@@ -11,6 +11,7 @@ from app.export.web.judged import badges, rules
 from app.export.web.texts import Data, Twins, packed, scene
 from app.gpu.stage_text import COLOURS, look
 from app.lesson import Prediction, Readout
+from app.optics.colour import srgb_to_linear
 from app.prediction import guessed, is_right, revealed, truth, truth_values, words
 from app.readouts import ROUNDING, SUMS
 from app.state import defaults
@@ -18,6 +19,7 @@ from app.theme import THEMES, Theme, colour, rgb
 from app.typed import slug
 
 PLACES = 200  # of the guess's slider
+READABLE = 4.5  # contrast of words
 QUIET = "#5D6574"  # small words on the light theme's panel: 4.5 to 1
 
 
@@ -97,10 +99,28 @@ def themed(theme: Theme) -> Data:
 
 
 def inks(theme: Theme) -> dict[str, str]:
-    """The theme's colours by name, for the page around the picture."""
+    """The theme's colours by name, for the page around the picture; `l-text` is the colour l for words."""
     names = (*COLOURS, "background", "panel", "foreground")
-    found = {name: "#" + "".join(f"{round(255 * x):02X}" for x in colour(name, theme)) for name in names}
-    return found | ({"quiet": QUIET} if theme.name == "light" else {})
+    found = {name: css(colour(name, theme)) for name in names} | ({"quiet": QUIET} if theme.name == "light" else {})
+    return found | {f"{name}-text": readable(found[name], found) for name in COLOURS}
+
+
+def css(found) -> str:
+    return "#" + "".join(f"{round(255 * x):02X}" for x in found)
+
+
+def readable(ink: str, page: dict[str, str]) -> str:
+    """A colour moved towards the foreground until words in it can be read on page and panel (WCAG 2.2 AA)."""
+    base, front = (np.array(rgb(text)) for text in (ink, page["foreground"]))
+    mixed = (css(base + share * (front - base)) for share in np.linspace(0, 1, 51))
+    return next(text for text in mixed if min(contrast(text, page[on]) for on in ("background", "panel")) >= READABLE)
+
+
+def contrast(one: str, other: str) -> float:
+    """(L + 0.05) / (L' + 0.05) of two sRGB colours' relative luminances, the lighter above: 1 to 21 (WCAG 2.2)."""
+    seen = (srgb_to_linear(np.array(rgb(text))) for text in (one, other))
+    dark, light = sorted(float(np.dot((0.2126, 0.7152, 0.0722), x)) for x in seen)
+    return (light + 0.05) / (dark + 0.05)
 
 
 def rounded(numbers) -> list[float]:

@@ -2,6 +2,7 @@
 
 from html import escape
 
+from app.breaking import broken
 from app.catalog import LoadedStep, ValueSpec
 from app.export.web.content import PLACES
 from app.lesson import Handle, Prediction, Readout
@@ -46,9 +47,16 @@ def grips(handles: tuple[Handle, ...]) -> str:
     return "".join(f'<i class="grip" title="{escape(handle.name)}"></i>' for handle in handles)
 
 
-def numbers(readouts: tuple[Readout, ...]) -> str:
-    return "".join(f'<div class="{one.role}"><dt>{escape(one.label)}</dt><dd><span></span><small></small></dd></div>'
-                   for one in readouts)
+def numbers(found: LoadedStep) -> str:
+    """The rows of the step's numbers, then those that stand in their place while something is broken."""
+    def row(one: Readout, which: str, hidden: str) -> str:
+        return (f'<div class="{one.role}" data-broken="{which}"{hidden}><dt>{escape(one.label)}</dt>'
+                '<dd><span></span><small></small></dd></div>')
+
+    rows = [row(one, "", "") for one in found.step.readouts]
+    rows += [row(one, str(i), " hidden") for i in range(len(found.step.breaks))
+             for one in broken(found, i).step.readouts]
+    return "".join(rows)
 
 
 def breaks(found: LoadedStep) -> str:

@@ -123,7 +123,7 @@ def ledger(one: Ledger, twins: Twins) -> Data:
 # --- models ----------------------------------------------------------------------------------------------------------
 def lobes(models: tuple[Model, ...], found: LoadedStep, twins: Twins) -> list[Data]:
     """The lobes of models, one of colour once for each channel unless the step has chosen one; n and radiance set."""
-    shown = []
+    shown: list[Data] = []
     for model in models:
         for term, channel in channels(model, found):
             name = "" if channel is None else f", {('red', 'green', 'blue')[channel]}"

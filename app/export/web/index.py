@@ -16,7 +16,8 @@ def page(done: list[LoadedStep], posters: bool) -> str:
     chapters = {found.loaded.id: found.chapter for found in done}
     body = "".join(section(id, chapter.title, chapter.idea, [f for f in done if f.loaded.id == id], posters)
                    for id, chapter in chapters.items())
-    outline = "".join(f'<li><a href="#{anchor(id)}">{escape(chapter.title)}</a></li>'
+    numbers = {found.loaded.id: found.loaded.number for found in done}
+    outline = "".join(f'<li value="{numbers[id]}"><a href="#{anchor(id)}">{escape(chapter.title)}</a></li>'
                       for id, chapter in chapters.items())
     found = json.dumps({anchor(f.id): searched(f) for f in done}, ensure_ascii=False).replace("</", r"<\/")
     rules = policy([script]).replace("img-src data:", "img-src 'self' data: file:").replace(
@@ -54,13 +55,20 @@ def searched(found: LoadedStep) -> str:
     return " ".join(prose.FORMULA.sub(" ", text).split()).casefold()
 
 
-SLIDES = """<details><summary>Put a page beside your slides</summary>
+SLIDES = """<details id="slides"><summary>Put a page beside your slides</summary>
 <p>A page works in a frame, from a file, sandboxed too. Add a state after <code>?</code>, and <code>#scene</code> for
-the scene with its sliders alone (also <code>#scene,light</code> or <code>#scene,projector</code>).</p>
+the scene with its sliders alone (also <code>#scene,light</code> or <code>#scene,projector</code>). The address of an
+open page follows what you set; Copy link copies it.</p>
 <ul><li>reveal.js: <code>&lt;iframe data-src="solid_angle-patch.html?tilt=30#scene"&gt;&lt;/iframe&gt;</code></li>
 <li>Quarto: the same with <code>data-external="1"</code>, the pages beside the deck.</li>
-<li>PowerPoint, Google Slides, PDF: the PNG of the same name.</li></ul>
-<p>Escape gives the keys back to the deck. <code>postMessage</code> to the frame: <code>{halfway: "set", state:
-"tilt=30"}</code>, <code>{halfway: "get"}</code> and <code>{halfway: "snapshot"}</code>; it answers with
-<code>{halfway: "state", step, state, values, numbers}</code> and <code>{halfway: "snapshot", png}</code>, tells
-<code>{halfway: "ready"}</code> once and its state after each change.</p></details>"""
+<li>PowerPoint, Google Slides, PDF: the PNG and the film (GIF) of the same name.</li></ul>
+<p>Page Down and Page Up, a clicker's keys, move the deck also while the scene has the keyboard; Escape gives it all
+keys back. A slide that comes back shows what was set there.</p>
+<p>A page in a frame can be spoken to with <code>postMessage</code>:</p>
+<ul><li><code>{halfway: "set", state: "tilt=30&amp;view=-50,22,6"}</code> sets what is named and leaves the rest.</li>
+<li><code>{halfway: "get"}</code> is answered with <code>{halfway: "state", step, state, values, numbers}</code>: values
+in radians and metres, numbers by their labels.</li>
+<li><code>{halfway: "snapshot"}</code> is answered with <code>{halfway: "snapshot", step, state, png}</code>, a data
+URL.</li>
+<li>Unasked it tells <code>{halfway: "ready", step}</code> once it is drawn, its state after each change, and
+<code>{halfway: "escape"}</code>.</li></ul></details>"""

@@ -26,6 +26,8 @@ KINDS = {"curves": ("CurvesPlot", ("svg.js", "curves.js")), "ledger": ("LedgerPl
          "slice": ("SlicePlot", ("svg.js", "models.js", "slices.js")),
          "space": ("SpacePlot", ("models.js", "space.js"))}
 
+WORDS = ":is(.words,.badges,.prose)"  # coloured words; lines and areas keep the picture's colours
+
 
 def file_of(id: str) -> str:
     return f"{anchor(id)}.html"
@@ -97,7 +99,7 @@ aria-label="{escape(f"{step.title}: drag to turn, Ctrl and wheel to zoom")}"></c
 <details id="more" class="rows"{"" if more else " hidden"}><summary>more</summary>{rows(more)}</details>
 </section>
 <section class="side" aria-label="Numbers">
-<dl id="numbers">{numbers(step.readouts)}</dl>
+<dl id="numbers">{numbers(found)}</dl>
 {badges(content)}
 {figures(content["plots"], len(step.plots), shown)}
 {ask(step.ask)}
@@ -141,7 +143,9 @@ def legend(scene: Scene) -> str:
 def themed(name: str, colours: dict[str, str]) -> str:
     """A theme's colours as variables; the dark ones are everybody's who has no other."""
     variables = "".join(f"--{ink}:{colour};" for ink, colour in colours.items())
-    classes = "".join(f".ink-{ink}{{color:var(--{ink})}}" for ink in colours)
+    classes = "".join(f".ink-{ink}{{color:var(--{ink})}}" for ink in colours if not ink.endswith("-text"))
+    classes += "".join(f"{WORDS} .ink-{ink.removesuffix('-text')}{{color:var(--{ink})}}"
+                       for ink in colours if ink.endswith("-text"))
     return f":root{{{variables}}}{classes}" if name == "dark" else f"[data-theme={name}]{{{variables}}}"
 
 

@@ -32,7 +32,7 @@ function working(page) {
     page.schedule();
   }));
   for (const box of all(".break input")) box.addEventListener("change", () => breaking(page, box));
-  const sized = new ResizeObserver(() => page.schedule());
+  const sized = new ResizeObserver(() => page.frames && page.schedule()); // it speaks up at the beginning too
   for (const id of ["picture", "plots"]) sized.observe($(id));
 }
 
@@ -44,6 +44,7 @@ function breaking(page, box) {
   Object.assign(page, {readouts: now.readouts, put: now.put});
   page.stage.scene = now.scene;
   page.stage.begin();
+  for (const row of all("#numbers > div")) row.hidden = row.dataset.broken !== (box.checked ? box.value : "");
   $("broken").textContent = now.told;
   page.change(now.sets);
 }

@@ -11,7 +11,7 @@ function open(card) {
   if (live.has(card)) return;
   while (live.size >= MOST) close(live.keys().next().value);
   const frame = document.createElement("iframe");
-  frame.src = `${card.dataset.page}#scene-bare`;
+  frame.src = `${card.dataset.page}#scene-bare,dark`;
   frame.title = card.querySelector("h3").textContent;
   frame.setAttribute("sandbox", "allow-scripts");
   live.set(card, frame);

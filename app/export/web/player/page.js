@@ -28,6 +28,7 @@ class Page {
     questioning(this);
     conversing(this);
     clicking();
+    this.draw();
   }
 
   // --- values --------------------------------------------------------------------------------------------------------
@@ -76,20 +77,18 @@ class Page {
   }
 
   // --- drawing -------------------------------------------------------------------------------------------------------
-  schedule() {
-    this.waiting ||= requestAnimationFrame(() => {
-      this.waiting = 0;
-      this.draw();
-    });
-  }
+  schedule() { this.waiting ||= requestAnimationFrame(() => this.draw()); }
 
   // The picture at once and with hard edges; its numbers and plot once it is shown; soft edges when nothing moves.
   draw() {
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
     if (this.gpu.lost) return;
     this.picture(false);
     clearTimeout(this.resting);
     this.badges?.moved();
-    this.after ||= setTimeout(() => {
+    const seen = this.frames ? setTimeout : act => requestAnimationFrame(() => setTimeout(act));
+    this.after ||= seen(() => {
       this.after = 0;
       if (!this.frames) this.name();
       this.tell();
@@ -104,7 +103,7 @@ class Page {
   }
 
   // Words first: their answer waits for what was drawn before. Where that is long, a moving picture has half the rows.
-  // The very first picture does without, because it would wait for the words' programs.
+  // The very first picture does without: it would wait for their programs.
   picture(fine) {
     const scale = this.stage.aim(fine || !this.heavy ? 1 : 0.5), start = performance.now();
     if (this.frames) this.name();
@@ -130,7 +129,7 @@ class Page {
     const exact = Object.fromEntries(readouts.map(({label}, i) => [label, sizes[i]]));
     this.numbers = readouts.map(({label, unit, absent}, i) =>
       ({label, value: sizes[i], text: absent && Number.isNaN(sizes[i]) ? absent : written(sizes[i], unit)}));
-    all("#numbers dd").forEach((cell, i) => {
+    all("#numbers > :not([hidden]) dd").forEach((cell, i) => {
       const {unit, against} = readouts[i], {text, value} = this.numbers[i], [number, error] = cell.children;
       cell.title = `${value} ${unit} (float32)`;
       number.textContent = text;
