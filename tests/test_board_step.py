@@ -1,6 +1,7 @@
 """The board as a step: its name, its scene, its numbers and plots, whatever the models are."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -190,6 +191,24 @@ def test_every_view_and_every_choice_is_another_picture_without_faults(ctx):
             assert np.abs(picture(**given) - first).max() > 20, given
     finally:
         stage.release()
+
+
+@pytest.mark.parametrize("stands", [0, 1])
+def test_what_is_not_seen_is_not_drawn(ctx, stands):
+    """The picture is that of a scene that draws all of it."""
+    found = step("board/lambert+cook_torrance")
+    values = values_of(found, stands=stands)
+    whole = replace(found.step.scene, surfaces=tuple(replace(s, where=None) for s in found.step.scene.surfaces))
+    pictures = []
+    for scene in (found.step.scene, whole):
+        stage = Stage(ctx, Source(scene, "the board"), values["triangles"], values)
+        stage.draw(values, scene.camera, (240, 220), DARK)
+        pictures.append(stage.picture.pixels())
+        drawn_ones = {int(name.split()[1]) for _, name in stage.arrays if name.startswith("surface")}
+        hidden = {i for i, s in enumerate(scene.surfaces) if s.where and s.where[1] != stands}
+        assert drawn_ones == set(range(len(scene.surfaces))) - hidden and bool(hidden) == (scene is not whole)
+        stage.release()
+    assert np.array_equal(*pictures)
 
 
 def test_what_is_no_number_is_seen(ctx, tmp_path):

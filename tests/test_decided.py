@@ -14,6 +14,7 @@ from app.gpu.pick import raw
 from app.gpu.scene_programs import KEPT
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
+from app.inspect_all import Row, summary
 from app.inspection import inspect
 from app.inspection import words as inspected
 from app.lesson import Value
@@ -217,6 +218,12 @@ def test_inspect_tells_what_is_decided_and_compiled():
     assert "irradiance_disk_light" in found.functions and "irradiance_outline" in found.functions_left_out
     assert not {"light_shape", "sampling"} & set(found.uniforms) and found.faults == ()
     assert "decided     light_shape = disk, sampling = stratified" in inspected(found)
+
+
+def test_inspect_of_all_says_which_steps_decide():
+    rows = [Row(inspect(found), {"ratio": 0.5}, ()) for found in (WORK, step("solid_angle/cone"))]
+    told = "\n".join(summary(rows, 2))
+    assert "measured so: lights/area_work (light_shape, sampling)." in told and "0 faults" not in told
 
 
 # --- the text --------------------------------------------------------------------------------------------------------

@@ -10,7 +10,8 @@
     vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { ... }
     ::end shader
 
-A `#` begins a remark, but not inside the shader. Further blocks are let be.
+A `#` begins a remark, but not inside the shader. Further blocks are let be. L and V go to light and eye, N is the
+normal, X runs along growing azimuth about the picture's upward direction (app/brush.py), and Y is N x X.
 """
 
 import math
