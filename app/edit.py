@@ -74,7 +74,7 @@ def written(lines: list[shader.Line], include: str, wanted: set[str]) -> dict[st
     """The wanted functions among the lines of one text."""
     found = {}
     for part in shader.blocks(lines):
-        name = next(iter(part.names), "")
+        name = part.name
         if part.is_function and name in wanted:
             kept = list(part.lines)
             while not kept[0].text.strip():

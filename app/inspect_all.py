@@ -94,6 +94,9 @@ def summary(rows: list[Row], wanted: int) -> list[str]:
         worst = max(rows, key=lambda one: one.cost["ratio"])
         lines.append(f"A scene that carries only what it uses costs at most {100 * worst.cost['ratio']:.0f} % of that "
                      f"({worst.found.step}, which leaves out {len(worst.left_out)}).")
+    decided = [f"{one.found.step} ({', '.join(one.found.decided)})" for one in rows if one.found.decided]
+    if decided:
+        lines.append(f"Compiled for what is chosen, and measured so: {', '.join(decided)}.")
     lines.append(f"{len(faults)} faults:" if faults else
                  "Nothing lies about: no function, uniform, attribute, varying, table, file or pass without use.")
     return lines + [f"  {sentence}" for sentence in faults]

@@ -58,6 +58,7 @@ class Surface:
     cells: tuple[int, int] = (48, 24)
     opacity: float = 1.0
     mesh: bool = False
+    where: tuple[str, int] | None = None  # a value and its number; at others nothing is seen of it, nor drawn
 
 
 @dataclass(frozen=True)

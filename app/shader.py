@@ -7,7 +7,7 @@ message back to what a person wrote.
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from itertools import groupby
 from pathlib import Path
@@ -20,12 +20,13 @@ from app.problem import Problem, near
 DESKTOP = ("#version 330 core",)
 WEB = ("#version 300 es", "precision highp float;", "precision highp int;", "precision highp sampler2D;")
 INCLUDE = re.compile(r'^\s*#include\s+"([^"]+)"\s*$')
-SIGNATURE = re.compile(r"^(?:(?:highp|mediump|lowp)\s+)?(?!else\b|return\b)(\w+)(?:\s*\[\w*\])?\s+(\w+)\s*"
+SIGNATURE = re.compile(r"^[ \t]*(?:(?:highp|mediump|lowp)\s+)?(?!else\b|return\b)(\w+)(?:\s*\[\w*\])?\s+(\w+)\s*"
                        r"\(([^)]*)\)\s*(\{|;)", re.M)
 PARAMETER = re.compile(r"(?:(?:const|in|out|inout|highp|mediump|lowp)\s+)*(\w+)\s*(?:\[\s*(\w+)\s*\])?\s+"
                        r"(\w+)\s*(?:\[\s*(\w+)\s*\])?")
 WORD = re.compile(r"[A-Za-z_]\w*")
 MESSAGE = re.compile(r"^\s*(?:ERROR:\s*)?\d+[:(](\d+)\)?(?:\((\d+)\))?\s*:?\s*(.*)$")
+CONDITION = re.compile(r"^\s*#\s*(if|ifdef|ifndef|endif)\b", re.M)
 WIDTH = {"float": 1, "int": 1, "vec2": 2, "vec3": 3, "vec4": 4}  # numbers of what is evaluated point by point
 ALWAYS = "#"  # what #if, #else and #endif count as: they are never left out
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
@@ -65,6 +66,11 @@ class Block:
     names: frozenset[str]
     words: frozenset[str]
     is_function: bool
+
+    @property
+    def name(self) -> str:
+        """Of a function."""
+        return min(self.names - {ALWAYS}, default="")
 
 
 @dataclass(frozen=True)
@@ -183,7 +189,19 @@ def blocks(lines: list[Line]) -> list[Block]:
         raise Problem(f"{brace.file}, line {brace.number}: a {{ that is never closed.")
     if has_code(open_lines):
         found.append(block(open_lines))
-    return found
+    return conditional(found)
+
+
+def conditional(found: list[Block]) -> list[Block]:
+    """The same; what stands between #if and #endif, outside functions, is never left out: no one knows what is needed
+    of it, and where its declarations end."""
+    kept, depth = [], 0
+    for part in found:
+        was, starts = depth, CONDITION.findall("\n".join(line.text for line in part.lines))
+        depth += sum(1 if start.startswith("if") else -1 if start == "endif" else 0 for start in starts)
+        inside = max(was, depth) > 0
+        kept.append(replace(part, names=part.names | {ALWAYS}) if inside else part)
+    return kept
 
 
 def has_code(lines: list[Line]) -> bool:
@@ -243,8 +261,8 @@ def assemble(text: str, file: str, *, first: int = 1, header: tuple[str, ...] = 
     lines = tuple(line for part in kept for line in part.lines)
     used = {line.file for line in lines}
     named = {line.file for part in found for line in part.lines}
-    names = [next(iter(p.names)) for p in kept if p.is_function]
-    out = [next(iter(p.names)) for p in found if p.is_function and not p.names & wanted and p.lines[-1].file != file]
+    names = [p.name for p in kept if p.is_function]
+    out = [p.name for p in found if p.is_function and not p.names & wanted and p.lines[-1].file != file]
     return Assembled("\n".join((*header, *(line.text for line in lines))) + "\n", lines, len(header),
                      tuple(sorted(used - {file})), tuple(sorted(named - used - {file})),
                      tuple(dict.fromkeys(names)), tuple(dict.fromkeys(out)))

@@ -270,7 +270,7 @@ stop at the radius. The window is a lie with a purpose: at 1 m it already gives 
     honesty="I cos θ / r² is exact for a point; inside r₀ the value is a stop, no model. The window's 1 is one square metre.",
     values=(Value("distance", 1.5, low=0.02, high=4.0), Value("theta", 40.0, low=0.0, high=150.0),
             Value("phi", 20.0, more=True), Value("radiant_intensity", 60.0), Value("source_radius", 0.06, low=0.01, high=0.5),
-            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5, breaks=(Break("no stop at 0, the lamp below the floor", {"irradiance_at": "irradiance_at_naive", "irradiance_positional": "irradiance_positional_naive"}, {"theta": 140.0, "distance": 1.2}, "The cosine of a light behind the surface is negative, and so is its light: the floor turns red for less than nothing. Alone it would only be black on the screen; beside a second lamp it takes that lamp's light away. No light is max(0, n·l), never less.", "irradiance at x", Term("irradiance_positional"), "W/m²"),),
+            Value("reach", 6.0, low=0.5, high=10.0, more=True)), minutes=5, breaks=(Break("no stop at 0, the lamp below the floor", {"irradiance_at": "irradiance_at_naive", "irradiance_positional": "irradiance_positional_naive"}, {"theta": 140.0, "distance": 1.2}, "The cosine of a light behind the surface is negative, and so is its light: the floor turns red for less than nothing. Alone it would only be black on the screen; beside a second lamp it takes that lamp's light away. Take max(0, n·l): less light than none there is not.", "irradiance at x", Term("irradiance_positional"), "W/m²"),),
 )
 
 DIRECTIONAL = Step(

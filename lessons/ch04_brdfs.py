@@ -834,7 +834,7 @@ v, differ. 6 minutes.
             Value("theta_l", 50.0, low=0.0, high=89.0), Value("theta_v", 35.0, low=0.0, high=89.0),
             Value("phi", 180.0, more=True), Value("k_d", 0.25, more=True), Value("k_s", 0.6, more=True)),
     models=(Model("as printed", Term("brdf_phong_printed"), "printed"), Model("as a BRDF", Term("brdf_phong"))),
-    minutes=6, breaks=(Break("(r·v)ⁿ without asking for its sign", {"lobe_phong": "lobe_phong_naive"}, {"model": 0, "exponent": 20.0, "theta_l": 50.0, "theta_v": 60.0, "phi": 0.0}, "Where the eye is more than a right angle from r, the cosine is negative, and a power of it is no number: all that it touches is lost. An even exponent, multiplied out, would light a second highlight behind instead. Stop the cosine at 0 first, and only then take the power.", "(r·v)ⁿ", Term("lobe_phong")),),
+    minutes=6, breaks=(Break("(r·v)ⁿ without asking for its sign", {"lobe_phong": "lobe_phong_naive"}, {"model": 0, "exponent": 20.0, "theta_l": 50.0, "theta_v": 60.0, "phi": 0.0}, "Where the eye is more than a right angle from r, the cosine is negative. On most cards a power of that is no number, and all that it touches is lost; on some, as with an even exponent multiplied out, a second highlight shines behind. Stop the cosine at 0 first, and only then take the power.", "(r·v)ⁿ", Term("lobe_phong")),),
 )
 
 BLINN = Step(

@@ -1,6 +1,7 @@
 """The board as a step: its name, its scene, its numbers and plots, whatever the models are."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -125,7 +126,7 @@ def test_the_factors_make_the_model(name):
         d, g, f, low, whole = (number.value for number in numbers(found.step, values))
         assert whole == pytest.approx(d * g * f / low, rel=1e-9)
         same = optics.twin(PREFIX + name)(NORMAL, light_direction(values["theta_l"], values["phi"]),
-                                          view_direction(values["theta_v"]), *values["model0_values"])
+                                          view_direction(values["theta_v"]), *values["model0__values"])
         assert whole == pytest.approx(float(same), rel=1e-9)
 
 
@@ -190,6 +191,24 @@ def test_every_view_and_every_choice_is_another_picture_without_faults(ctx):
             assert np.abs(picture(**given) - first).max() > 20, given
     finally:
         stage.release()
+
+
+@pytest.mark.parametrize("stands", [0, 1])
+def test_what_is_not_seen_is_not_drawn(ctx, stands):
+    """The picture is that of a scene that draws all of it."""
+    found = step("board/lambert+cook_torrance")
+    values = values_of(found, stands=stands)
+    whole = replace(found.step.scene, surfaces=tuple(replace(s, where=None) for s in found.step.scene.surfaces))
+    pictures = []
+    for scene in (found.step.scene, whole):
+        stage = Stage(ctx, Source(scene, "the board"), values["triangles"], values)
+        stage.draw(values, scene.camera, (240, 220), DARK)
+        pictures.append(stage.picture.pixels())
+        drawn_ones = {int(name.split()[1]) for _, name in stage.arrays if name.startswith("surface")}
+        hidden = {i for i, s in enumerate(scene.surfaces) if s.where and s.where[1] != stands}
+        assert drawn_ones == set(range(len(scene.surfaces))) - hidden and bool(hidden) == (scene is not whole)
+        stage.release()
+    assert np.array_equal(*pictures)
 
 
 def test_what_is_no_number_is_seen(ctx, tmp_path):
@@ -298,6 +317,6 @@ def test_the_same_file_turned_is_another_albedo(tmp_path):
     model = opened(path)
     assert model.is_anisotropic and not opened(write_file(tmp_path, "plain.brdf")).is_anisotropic
     values = values_of(found)
-    for badge in judged(f"board:{path}", values["model0_values"]).values():
+    for badge in judged(f"board:{path}", values["model0__values"]).values():
         at = values | badge.at
         assert not badge.at or math.isclose(tangent_azimuth(at["theta_v"], at["turned"]), 0.0, abs_tol=1e-9)

@@ -14,6 +14,7 @@ from app.gpu.pick import raw
 from app.gpu.scene_programs import KEPT
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
+from app.inspect_all import Row, summary
 from app.inspection import inspect
 from app.inspection import words as inspected
 from app.lesson import Value
@@ -139,15 +140,38 @@ def test_a_text_that_is_edited_is_right_for_every_choice(ctx, compiled):
     stage.rewrite(edit.overrides({"sample_share": text}, known, source))
     edited = picture(stage, values)
     assert np.abs(edited - before).max() > 20
-    count = len(compiled)
-    assert np.abs(picture(stage, values | {"light_shape": 1}) - edited).max() > 20
-    assert len(compiled) == count, "no choice is compiled anew"
+    plain, now = on_stage(WORK, values, ctx, decided=()), values | {"light_shape": 1}
+    plain.rewrite(edit.overrides({"sample_share": text}, known, source))
+    assert np.abs(picture(stage, now) - edited).max() > 20
+    assert np.abs(picture(stage, now) - picture(plain, now)).max() <= 1
     stage.rewrite(())
-    plain = on_stage(WORK, values, ctx, decided=())
-    now = values | {"light_shape": 1}
+    plain.rewrite(())
     assert np.abs(picture(stage, now) - picture(plain, now)).max() <= 1
     stage.release()
     plain.release()
+
+
+def test_a_mistake_is_told_where_it_is_not_chosen_now_too(ctx):
+    known, source, values = edit.functions(WORK), edit.source_of(WORK), whole(WORK)
+    stage = Stage(ctx, source, None, values)
+    text = known["shade"].text.replace("{", "{ if (light_shape == 3) return vec3(mistaken);", 1)
+    with pytest.raises(Problem, match=r"^your shade, line 1: .*mistaken"):
+        stage.rewrite(edit.overrides({"shade": text}, known, source))
+    stage.release()
+
+
+def test_an_edit_compiles_what_holds_it_and_no_more(ctx, compiled):
+    """Of one kind of surface no more than one program, and nothing that does not hold the text."""
+    for found, name in ((WORK, "sample_share"), (step("plausible_shading/everything"), "d_beckmann"),
+                        (step("microfacets/cook_torrance"), "d_beckmann")):
+        known, source, values = edit.functions(found), edit.source_of(found), whole(found)
+        stage = Stage(ctx, source, values.get("triangles"), values)
+        picture(stage, values)
+        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float first = 0.0;", 1)}, known, source))
+        del compiled[:]
+        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float second = 0.0;", 1)}, known, source))
+        assert 1 <= len(compiled) <= 3 and all("float second" in text for text in compiled)
+        stage.release()
 
 
 def test_a_picked_pixel_follows_a_choice(ctx):
@@ -194,6 +218,12 @@ def test_inspect_tells_what_is_decided_and_compiled():
     assert "irradiance_disk_light" in found.functions and "irradiance_outline" in found.functions_left_out
     assert not {"light_shape", "sampling"} & set(found.uniforms) and found.faults == ()
     assert "decided     light_shape = disk, sampling = stratified" in inspected(found)
+
+
+def test_inspect_of_all_says_which_steps_decide():
+    rows = [Row(inspect(found), {"ratio": 0.5}, ()) for found in (WORK, step("solid_angle/cone"))]
+    told = "\n".join(summary(rows, 2))
+    assert "measured so: lights/area_work (light_shape, sampling)." in told and "0 faults" not in told
 
 
 # --- the text --------------------------------------------------------------------------------------------------------

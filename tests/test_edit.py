@@ -274,8 +274,8 @@ def test_a_coated_model_follows_the_text_of_its_layers():
     plain |= found.derived(plain)
     texts = {"d_beckmann": known["d_beckmann"].text.replace(*TWICE)}
     values = {**plain, **edit.among_values(texts, known, source)}
-    wider = (2 * plain["model0_m"], *plain["model0_values"][1:])
-    rougher = {**plain, "model0_values": wider, "model0_half_values": wider}
+    wider = (2 * plain["model0_m"], *plain["model0__values"][1:])
+    rougher = {**plain, "model0__values": wider, "model0__half_values": wider}
     (mine, other), (course, _), (now, _) = (numbers(found.step, v) for v in (values, rougher, plain))
     assert (mine.whose, other.whose) == ("yours", "the course's")
     assert math.isclose(mine.value, course.value, rel_tol=1e-5) and abs(mine.value / now.value - 1) > 0.1

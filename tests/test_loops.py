@@ -197,3 +197,21 @@ def test_the_window_tells_it_and_goes_on(tmp_path, monkeypatch):
         until(engine, window, lambda: not window.own.no_picture and window.scene.is_fine)
 
     drive(test, start=STEP)
+
+
+def test_a_file_on_the_board_stops_nothing_either(tmp_path, monkeypatch):
+    """At values where it never ends picture, numbers and ring have none; at others all is there again."""
+    monkeypatch.setenv("HALFWAY_DATA", str(tmp_path / "data"))
+    path = tmp_path / "x.brdf"
+    path.write_text(FILE, "utf-8")
+
+    def test(engine, window):
+        until(engine, window, lambda: window.scene.is_fine)
+        window.session.set("model0_k", 1.0)
+        until(engine, window, lambda: "line 9: this loop never ends" in window.own.no_picture)
+        until(engine, window, lambda: window.board.peak[1] == 0.0)
+        window.session.set("model0_k", 0.4)
+        until(engine, window, lambda: not window.own.no_picture and window.scene.is_fine)
+        until(engine, window, lambda: window.board.peak[1] > 0.0)
+
+    drive(test, start=f"board/{path}")

@@ -277,6 +277,27 @@ def test_broken_and_mended(folder, browser):
     assert heard.said == []
 
 
+def test_a_decided_choice_is_a_constant(folder, browser):
+    """Its programs are compiled for each value once: going back compiles nothing."""
+    found = step("lights/area_sampled")
+    name = found.step.scene.decided[0]
+    first = defaults(found)[name]
+    other = next(x for x in range(len(found.values[name].choices)) if x != first)
+    texts = f"[...halfway.gpu.programs.keys()].filter(text => text.includes('const int {name} = %d;')).length"
+    with opened(browser, folder / file_of(found.id)) as (tab, heard):
+        drawn = settle(tab)
+        before, numbers = tab.evaluate(texts % first), tab.evaluate("halfway.report().numbers")
+        assert before > 0 == tab.evaluate(texts % other)
+        tab.evaluate(f"halfway.change({{{name}: {other}}})")
+        drawn = settle(tab, drawn)
+        kept = tab.evaluate(texts % first)
+        assert tab.evaluate(texts % other) > 0 and tab.evaluate("halfway.report().numbers") != numbers
+        tab.evaluate(f"halfway.change({{{name}: {first}}})")
+        settle(tab, drawn)
+        assert tab.evaluate(texts % first) == kept
+    assert heard.said == []
+
+
 def test_faulty_pixels_are_counted(folder, browser):
     """A radiance below 0 everywhere: the page says how many pixels have it."""
     with opened(browser, folder / file_of("solid_angle/cone")) as (tab, _):

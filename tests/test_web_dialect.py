@@ -58,6 +58,11 @@ def texts() -> dict[str, tuple[shader.Assembled, shader.Assembled | None]]:
             source = point_program(signature, file, None)[0]
             found[f"{file}: {name}"] = shader.assemble(source, name, header=shader.WEB), None
     cone = programs(catalog.step("solid_angle/cone").step.scene, header=shader.WEB)["surface"][0]
+    typed = (("scene", shader.Source(catalog.step("solid_angle/cone").step.scene.glsl.replace(
+        "shade(Surface s) {", "shade(Surface s) {\n    while (s.id > 9) s.id--;", 1), "yours", is_own=True)),)
+    for name, pair in programs(catalog.step("solid_angle/cone").step.scene, header=shader.WEB, overrides=typed,
+                               watched=True).items():
+        found[f"a loop of a user's: {name}"] = pair
     found["everything on"] = cone, shading(shader.WEB)
     return found
 

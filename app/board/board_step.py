@@ -50,6 +50,7 @@ FIRST = "cook_torrance"
 ANGLES = {"theta_l": math.radians(45), "theta_v": math.radians(30), "phi": math.pi}
 SPREAD = 8  # peaks that differ by more than this are shown on a logarithmic scale
 CHANNEL = "board_channel"
+VALUES, OF_H = "_values", "_half_values"  # behind a model's prefix: no parameter of a file begins with _
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +66,7 @@ class Entry:
     prefix: str = ""
 
     def term(self, kind: str = "board") -> Term:
-        ending = "half_values" if kind == "half" else "values"
+        ending = OF_H if kind == "half" else VALUES
         return Term(f"{kind}:{self.word}", {"values": self.prefix + ending, "channel": CHANNEL})
 
     @property
@@ -116,7 +117,7 @@ class BoardStep(LoadedStep):
         for one in self.shown:
             assert one.model
             given: dict[str, Default] = {p.name: values[one.prefix + p.name] for p in one.model.parameters}
-            for ending, azimuth in (("values", tangent), ("half_values", of_h)):
+            for ending, azimuth in ((VALUES, tangent), (OF_H, of_h)):
                 turned = (azimuth,) if one.model.is_anisotropic else ()
                 found[one.prefix + ending] = packed(one.model.parameters, given, *turned)
         return found

@@ -10,7 +10,8 @@
     vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { ... }
     ::end shader
 
-A `#` begins a remark, but not inside the shader. Further blocks are let be.
+A `#` begins a remark, but not inside the shader. Further blocks are let be. L and V go to light and eye, N is the
+normal, X runs along growing azimuth about the picture's upward direction (app/brush.py), and Y is N x X.
 """
 
 import math
@@ -25,7 +26,15 @@ from app.problem import Problem
 LARGEST = 1 << 20  # bytes; the largest one known has 5000
 NEEDED = "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)"
 KINDS = {"float": 3, "bool": 1, "color": 3}  # numbers behind the name
-NAME = re.compile(r"(?!gl_)[A-Za-z]\w*")
+NAME = re.compile(r"(?!gl_)[A-Za-z]\w*", re.A)
+KEYWORDS = {  # of GLSL, the likely ones
+    "bool", "int", "uint", "float", "double", "half", "void", "vec2", "vec3", "vec4", "ivec2", "ivec3", "ivec4",
+    "mat2", "mat3", "mat4", "true", "false", "if", "else", "for", "while", "do", "switch", "case", "default",
+    "break", "continue", "return", "discard", "struct", "const", "uniform", "attribute", "varying", "in", "out",
+    "inout", "layout"}
+REFUSED = re.compile(r"\s*#\s*(include|version|extension)\b")
+WHY = {"include": "a .brdf file stands alone, with all its text in it", "version": "it is read as GLSL 3.30",
+       "extension": "it is read as GLSL 3.30, which has to do without"}
 Default = float | bool | tuple[float, float, float]
 
 
@@ -91,7 +100,15 @@ def parse(text: str, path: str) -> BrdfFile:
     parameters, warnings = read_parameters(lines, *blocks.get("parameters", (0, 0)), path)
     begin, end = blocks["shader"]
     source = shader.Source("\n".join(lines[begin:end]), path, begin + 1)
-    found = shader.signatures(source.text).get("BRDF")
+    for number, line in enumerate(shader.strip_comments(source.text.split("\n")), source.first):
+        if refused := REFUSED.match(line):
+            raise Problem(f"{path}, line {number}: “{shown(line)}”; {WHY[refused[1]]}.")
+    functions = shader.signatures(source.text)
+    for p in parameters:
+        if p.name in functions:
+            raise Problem(f"{path}, line {p.line}: {p.name} is a function of its shader too; one of them needs "
+                          "another name.")
+    found = functions.get("BRDF")
     if not found or found.returns != "vec3" or [a.type for a in found.args] != ["vec3"] * 5:
         raise Problem(f"{path}, line {begin + 1}: the shader defines no {NEEDED}.")
     return BrdfFile(path, Path(path).stem, parameters, source, warnings)
@@ -150,7 +167,7 @@ def read_parameter(words: list[str], line: int, where: str, warnings: list[str])
     if len(words) != 2 + KINDS[kind]:
         wrong(f"{len(words)} words; it is written {form}.")
     name = words[1]
-    if not NAME.fullmatch(name) or "__" in name:
+    if not NAME.fullmatch(name) or "__" in name or name in KEYWORDS:
         wrong(f"{name} can be no name in GLSL.")
     numbers = []
     for word in words[2:]:

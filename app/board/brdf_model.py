@@ -60,7 +60,9 @@ class BrdfModel:
             return evaluate("value_of_model", {"n": n, "l": l, "v": v, "x": x, "y": y}, self.text,
                             overrides=self.overrides, uniforms=given)
         except Problem as problem:
-            raise Problem(str(problem).replace(self.prefix, "")) from None
+            lines = str(problem).replace(self.prefix, "").split("\n")
+            of_file = [line for line in lines if not line.startswith("value_of_model,")]  # ours, which follows from it
+            raise Problem("\n".join(of_file or lines)) from None
 
     def badges(self, values: dict[str, Default] | None = None) -> dict[str, Badge]:
         """The worst of the three channels; a grey model is asked once. Below the horizon a file's word counts nothing:
@@ -73,7 +75,7 @@ class BrdfModel:
     def is_grey(self, values: dict[str, Default] | None = None) -> bool:
         """Whether its channels are the same, at the directions that badges look at."""
         rgb = self.rgb(NORMAL, *samples(), values)
-        return bool(np.array_equal(rgb, rgb[..., :1] + 0 * rgb, equal_nan=True))
+        return bool(np.array_equal(rgb, np.broadcast_to(rgb[..., :1], rgb.shape), equal_nan=True))
 
 
 def above(l, v) -> np.ndarray:

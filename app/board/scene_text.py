@@ -77,9 +77,9 @@ def scene(models: list[tuple[str, BoardModel, Colour, str]]) -> Scene:
             '#include "display/board.glsl"', ENTRIES]
     count = len(models)
     surfaces = [Surface(f"ball: {m[0]}", cells=(48, 3)) for m in models]
-    surfaces += [Surface(f"object: {m[0]}", mesh=True) for m in models]
+    surfaces += [Surface(f"object: {m[0]}", mesh=True, where=("stands", 1)) for m in models]
     clear = 1.0 if count == 1 else 0.72
-    surfaces += [Surface(f"lobe: {m[0]}", cells=(56, 36), opacity=clear) for m in models]
+    surfaces += [Surface(f"lobe: {m[0]}", cells=(56, 36), opacity=clear, where=("stands", 0)) for m in models]
     surfaces += [Surface(f"standing: {m[0]}", cells=(40, 24), opacity=0.6) for m in models]
     marks = [Mark(name + where, colour, "dashed" if name == "halfway" else "solid", tip,  # type: ignore[arg-type]
                   label="" if where else colour) for where in (" on the ball", "") for name, colour, tip in ARROWS]
@@ -87,7 +87,7 @@ def scene(models: list[tuple[str, BoardModel, Colour, str]]) -> Scene:
                Handle("the light", count + 1, ("theta_l", "phi")),
                Handle("the light over the plate", count + 2, ("theta_l", "phi")))
     return Scene(
-        "\n".join(text), (*surfaces, Surface("plate", cells=(48, 1))), tuple(marks),
+        "\n".join(text), (*surfaces, Surface("plate", cells=(48, 1), where=("stands", 0))), tuple(marks),
         labels=tuple(Label(m[0], i, m[2]) for i, m in enumerate(models)), handles=handles,
         camera=Camera(azimuth=-62, elevation=24, distance=40, field_of_view=5.3), meshes=SHAPES,
         texts=tuple(t for one in pieces for t in one.texts), measured=tuple(m for one in pieces for m in one.measured),

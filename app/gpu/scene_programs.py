@@ -7,13 +7,14 @@ import moderngl
 
 from app import loops
 from app.gpu.context import program
-from app.gpu.stage_text import Programs, Source, needed, programs
+from app.gpu.stage_text import Programs, Source, is_made_of, needed, programs, typed_alone
 from app.gpu.uniforms import on_gpu
 from app.lesson import Surface
 from app.shader import Assembled, Overrides
 
 KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
+Pair = tuple[Assembled, Assembled | None]
 Made = tuple[dict[str, moderngl.Program], Programs]  # programs, and the texts of those with a loop of the user's
 
 
@@ -39,15 +40,11 @@ class ScenePrograms:
         return {name: int(values.get(name, now)) for name, now in self.choice.items()}
 
     def decide(self, values: dict) -> bool:
-        """Whether there are others for what is chosen now: compiled when it is chosen first, found again later.
-
-        A text that is being edited is compiled for every choice at once, as it must be right for each."""
+        """Whether there are others for what is chosen now: compiled when it is chosen first, found again later."""
         choice = self.chosen(values)
         if choice == self.choice:
             return False
         before, self.choice = self.choice, choice
-        if self.is_edited:
-            return False
         self.others[tuple(before.values())] = self.now, self.watched
         seen = tuple(choice.values())
         if seen in self.others:
@@ -64,29 +61,21 @@ class ScenePrograms:
         for i, surface in enumerate(self.scene.surfaces):
             use = program_of(surface)
             if use in self.now and f"{use} {i}" not in self.now:
-                own, watched = self.made({f"{use} {i}": (use, self.known | {"surface": i})})
+                own, watched = self.made({f"{use} {i}": self.text(use, surface=i)})
                 self.now, self.watched = self.now | own, self.watched | watched
                 return True
         return False
 
     # --- texts -----------------------------------------------------------------------------------------------------
-    @property
-    def is_edited(self) -> bool:
-        return bool(self.source.overrides)
-
-    @property
-    def known(self) -> dict[str, int]:
-        return {} if self.is_edited else self.choice
-
     def rewrite(self, overrides: Overrides, trial: Callable[[], None]) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
-        what was there before goes on.
-
-        All surfaces share a program then: a text is compiled once, which a hand that types waits for."""
+        what was there before goes on. Programs without these texts are found again, not compiled."""
         before, runs = (self.source, self.now, self.watched, self.others), False
         self.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
+                if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
+                    program(self.ctx, *typed, (), self.passing)
                 self.compile(None)
             trial()
             runs = True
@@ -102,29 +91,37 @@ class ScenePrograms:
         return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides, known=known,
                         watched=True)
 
+    def text(self, name: str, **known: int) -> Pair:
+        return self.texts((name,), self.choice | known)[name]
+
     # --- programs --------------------------------------------------------------------------------------------------
     def compile(self, names: tuple[str, ...] | None) -> None:
         """The named programs, or anew all that the scene has work for."""
-        shared = self.one_program or self.is_edited or len(self.scene.surfaces) > MANY
-        wanted: dict[str, tuple[str, dict[str, int]]] = {}
-        for name in needed(self.scene) if names is None else names:
-            if shared or name not in ("surface", "mesh"):
-                wanted[name] = name, self.known
-                continue
-            # its number a constant: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
-            # scene does for other surfaces would make its frames up to twice as slow
-            wanted |= {f"{name} {i}": (name, self.known | {"surface": i}) for i, s in enumerate(self.scene.surfaces)
-                       if program_of(s) == name}
-        found, watched = self.made(wanted)
+        wanted = [self.wanted(name) for name in (needed(self.scene) if names is None else names)]
+        found, watched = self.made({called: pair for each in wanted for called, pair in each.items()})
         self.now, self.watched = (found, watched) if names is None else (self.now | found, self.watched)
 
-    def made(self, wanted: dict[str, tuple[str, dict[str, int]]]) -> Made:
-        """`wanted` is: called -> (its name in the scene, what is known)."""
+    def wanted(self, name: str) -> Programs:
+        """The texts of the programs of that kind, by what each is called: one, or one for each surface.
+
+        Its number is a constant then: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
+        scene does for other surfaces would make its frames up to twice as slow. Of a text that is being edited no
+        more than one program of a kind is compiled: a hand that types waits for it."""
+        if name not in ("surface", "mesh") or self.one_program or len(self.scene.surfaces) > MANY:
+            return {name: self.text(name)}
+        each = {f"{name} {i}": self.text(name, surface=i) for i, surface in enumerate(self.scene.surfaces)
+                if program_of(surface) == name}
+        mine = [called for called, pair in each.items() if is_made_of(pair, self.source.overrides)]
+        if len(mine) < 2:
+            return each
+        return {called: pair for called, pair in each.items() if called not in mine} | {name: self.text(name)}
+
+    def made(self, wanted: Programs) -> Made:
         found: dict[str, moderngl.Program] = {}
         watched: Programs = {}
-        passing = self.passing if self.is_edited or self.others else None
-        for called, (name, known) in wanted.items():
-            vertex, fragment = pair = self.texts((name,), known)[name]
+        passing = self.passing if self.source.overrides or self.others else None
+        for called, pair in wanted.items():
+            vertex, fragment = pair
             if has_loops(pair):
                 watched[called] = pair
             values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
@@ -149,6 +146,6 @@ def program_of(surface: Surface) -> str:
     return "mesh" if surface.mesh else "surface"
 
 
-def has_loops(pair: tuple[Assembled, Assembled | None]) -> bool:
+def has_loops(pair: Pair) -> bool:
     """Whether a loop of the user's is counted in it."""
     return any(part and loops.COUNT in part.text for part in pair)

@@ -168,7 +168,8 @@ class Stage:
         """Opaque surfaces, then dots and marks, then what one looks through."""
         ctx = self.ctx
         ctx.enable_only(moderngl.DEPTH_TEST | moderngl.PROGRAM_POINT_SIZE)
-        solid = [i for i, s in enumerate(self.scene.surfaces) if s.opacity >= 1]
+        shown = [i for i, s in enumerate(self.scene.surfaces) if not s.where or values.get(s.where[0]) == s.where[1]]
+        solid = [i for i in shown if self.scene.surfaces[i].opacity >= 1]
         for i in solid:
             self.paint_surface(i)
         ctx.enable(moderngl.BLEND)
@@ -178,7 +179,7 @@ class Stage:
         for i, mark in enumerate(self.scene.marks):
             self.paint_mark(i, mark)
         target.depth_mask = False
-        for i in range(len(self.scene.surfaces)):
+        for i in shown:
             if i not in solid:
                 self.paint_surface(i)
         target.depth_mask = True

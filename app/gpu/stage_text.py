@@ -64,9 +64,7 @@ def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[st
 
     Whole values that are `known` are no uniforms but constants, and what is not chosen is left out."""
     shorten = partial(decide, known=known) if known else None
-    own = {"scene": shader.Source(scene.glsl, file, first)}
-    own |= {one.name: shader.Source(one.text, one.file, one.first, is_own=True) for one in scene.texts}
-    own |= dict(overrides)
+    own = included(scene, file, first, overrides)
 
     def text(part: tuple[str, str], watch: str = "") -> shader.Assembled:
         before, after = part
@@ -85,6 +83,31 @@ def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[st
         if watched and not name.endswith("values") and any(part and loops.COUNT in part.text for part in found[name]):
             found[name] = text(vertex, "vert"), text(fragment, "frag") if fragment else None
     return found
+
+
+def included(scene: Scene, file: str, first: int, overrides: shader.Overrides) -> dict[str, shader.Source]:
+    """What #include names beside the files below glsl/."""
+    own = {"scene": shader.Source(scene.glsl, file, first)}
+    own |= {one.name: shader.Source(one.text, one.file, one.first, is_own=True) for one in scene.texts}
+    return own | dict(overrides)
+
+
+def typed_alone(source: Source) -> tuple[shader.Assembled, shader.Assembled] | None:
+    """A program of the functions that are being typed, with all they call, whatever is chosen now: to be compiled
+    for its mistakes, and it draws nothing."""
+    names = tuple(name.split()[-1] for name, text in source.overrides if text.is_own)
+    if not names:
+        return None
+    own = included(source.scene, source.file, source.first, source.overrides)
+    text = '#include "stage/surface.glsl"\n#include "scene"\nvoid main() {}'
+    return (shader.assemble("void main() {}", "the stage"),
+            shader.assemble(text, "the stage", entry=("main", *names), overrides=own))
+
+
+def is_made_of(pair: tuple[shader.Assembled, shader.Assembled | None], overrides: shader.Overrides) -> bool:
+    """Whether one of the texts that are being typed is part of a program."""
+    typed = {text.file for _, text in overrides if text.is_own}
+    return any(not typed.isdisjoint(part.files) for part in pair if part)
 
 
 @cache

@@ -16,7 +16,7 @@ from app.plots.wire import Spot
 from app.plots.words import FINE, SHAPES, Entry, dot_size, font, header, line_of_words, wrapped
 from app.study.measure import measure
 from app.study.names import inputs
-from app.study.record import LEAST, TOLERANCES, Line, Point, Record, percent
+from app.study.record import ENOUGH, LEAST, TOLERANCES, Line, Point, Record, percent
 from app.theme import Theme
 
 INKS = ("estimate", "l", "v", "h", "r", "g", "n")
@@ -103,6 +103,8 @@ def chart(study: Study, record: Record, look: Look, size: tuple[int, int], value
     canvas = ground(canvas, look, across, up, (left, right, top, bottom))
     lines = [(line, *mark(index_of(study, line), look)) for line in record.lines if line.points]
     canvas = strokes(canvas, look, lines, place)
+    if compact:  # below the points
+        canvas = named(canvas, look, record, lines, place, (left, right, top, bottom))
     spots = []
     for line, shape, colour in lines:
         at = place([p.time for p in line.points], [shown(line, p) for p in line.points])
@@ -114,8 +116,6 @@ def chart(study: Study, record: Record, look: Look, size: tuple[int, int], value
             if sets and all(values.get(name) == value for name, value in sets.items()):
                 rimmed(canvas, np.array([[x, y]]), 1.9 * dot_size(look), colour, look.foreground, 1.5 * look.scale)
             spots.append(Spot(float(x), float(y) + len(above), told(line, point), sets))
-    if compact:
-        canvas = named(canvas, look, record, lines, place, (left, right, top, bottom))
     return np.concatenate([above, canvas, below])[:height], spots
 
 
@@ -132,26 +132,41 @@ def around(study: Study, record: Record, look: Look, height: int) -> tuple[np.nd
 def named(canvas: np.ndarray, look: Look, record: Record, lines: list, place, box: tuple[int, int, int, int]
           ) -> np.ndarray:
     """The names of the first at each tolerance, of the most exact, the exact value and what fails silently."""
-    left, right, top, bottom = box
     first = [found[0] for tolerance in TOLERANCES if (found := record.winner(tolerance))]
     first.append(min((found[0] for found in lines), key=lambda line: min(p.error for p in line.points)))
     kept = [found for found in lines if found[0] in first or found[0].reference or found[0].silent]
     kept += [found for found in lines if found not in kept][:max(0, 2 - len(kept))]
     image, letters = Image.fromarray(canvas), font(look, look.small)
+    points = np.concatenate([place([p.time for p in line.points], [shown(line, p) for p in line.points])
+                             for line, _, _ in lines])
     taken: list[tuple[float, float, float]] = []
     draw = ImageDraw.Draw(image)
     for line, _, colour in sorted(kept[:5], key=lambda found: found[0].points[-1].error):
         last = line.points[-1]
-        (x, y), = place([last.time], [shown(line, last)])
-        wide, high = letters.getlength(line.label), 1.05 * look.small
-        x = x + 0.7 * look.small if x + 0.7 * look.small + wide < right else x - 0.7 * look.small - wide
-        x, y = max(x, left + 2), min(max(y, top + 0.6 * high), bottom - 0.6 * high)
-        while any(abs(y - v) < high and x < b and a < x + wide for a, b, v in taken) and y > top + high:
-            y -= high
+        at, = place([last.time], [shown(line, last)])
+        wide = letters.getlength(line.label)
+        x, y = clear(at, wide, look.small, box, points, taken)
         taken.append((x, x + wide, y))
         draw.text((x, y), line.label, SILENT_BYTES if line.silent else bytes3(colour), letters, "lm",
                   stroke_width=round(2 * look.scale), stroke_fill=bytes3(look.background))
     return np.array(image)
+
+
+def clear(at: np.ndarray, wide: float, em: float, box: tuple[int, int, int, int], points: np.ndarray,
+          taken: list[tuple[float, float, float]]) -> tuple[float, float]:
+    """Where a name of a point stands, beside it: on as few points and names as may be, and near."""
+    left, right, top, bottom = box
+    high, gap = 1.05 * em, 0.7 * em
+
+    def crowded(place: tuple[float, float]) -> float:
+        x, y = place
+        covered = (abs(points[:, 0] - x - wide / 2) < wide / 2 + 0.3 * em) & (abs(points[:, 1] - y) < 0.75 * high)
+        names = sum(abs(y - v) < high and x < b and a < x + wide for a, b, v in taken)
+        return float(covered.sum()) + 20 * names + 0.5 * abs(y - at[1]) / high
+
+    sides = [x for x in (at[0] + gap, at[0] - gap - wide) if left < x < right - wide] or [right - wide]
+    rows = (min(max(at[1] + k * high, top + 0.6 * high), bottom - 0.6 * high) for k in (0, -1, 1, -2, 2))
+    return min(((x, y) for y in rows for x in sides), key=crowded)
 
 
 def legend(study: Study, record: Record, look: Look) -> np.ndarray:
@@ -192,9 +207,11 @@ def shown(line: Line, point: Point) -> float:
 
 
 def axes(record: Record) -> tuple[Axis, Axis]:
-    """Whole powers of ten around all points."""
+    """Whole powers of ten around all points and tolerances."""
     times = [time for line in record.lines for p in line.points for time in p.spread] or [1e-4, 1e-2]
-    errors = [min(shown(line, p), HIGHEST) for line in record.lines for p in line.points] or [1e-3, 1.0]
+    errors = [min(shown(line, p), HIGHEST) for line in record.lines for p in line.points
+              if not (line.reference and p.error < ENOUGH)]  # the exact value stands on the ground, wherever that is
+    errors = [*errors, TOLERANCES[-1]] if errors else [1e-3, 1.0]
 
     def decades(low: float, high: float) -> Axis:
         first, last = np.floor(np.log10(low) - 0.05), np.ceil(np.log10(high) + 0.05)

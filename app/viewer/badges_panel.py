@@ -135,7 +135,8 @@ class BadgesPanel:
         """One job at a time, for the first model whose badges are not known. Models of the board are dear, and wait
         until nothing moves."""
         moving, self.seen = self.app.session.revision != self.seen, self.app.session.revision
-        if self.job is not None or (moving and any(":" in model.term.function for model in models)):
+        of_board = any(":" in model.term.function for model in models)
+        if self.job is not None or self.app.text_is_new or (moving and of_board):
             return
         for model in models:
             wanted = key(model, values)

@@ -140,7 +140,7 @@ class BoardPanel:
             return
         entry = self.found.shown[int(values["model"])]
         key = self.found.id, entry.word, self.app.session.revision
-        if self.figures[0] != key:
+        if self.figures[0] != key and not self.app.text_is_new:
             if self.figures[0] is None or self.figures[0][:2] != key[:2]:
                 self.measured.clear()
             factors = replace(self.found.step, readouts=entry.factors)
@@ -177,6 +177,9 @@ class BoardPanel:
         values = self.app.values
         key = self.found.id, needs.key(values, self.found.peak_needs)
         if self.peak[0] != key and not (imgui.is_mouse_down(0) or self.app.editor.typed_at):
-            self.peak = key, self.found.peak(values)
+            try:
+                self.peak = key, self.found.peak(values)
+            except Problem:  # at these values it has none: the picture and the numbers tell why
+                self.peak = key, 0.0
             self.app.ctx.screen.use()
         return self.peak[1]

@@ -111,7 +111,7 @@ class PlotPanel:
         shown = {k: v for k, v in values.items() if k != "triangles"}
         wanted = found.id, id(plot), needs.key(values, needs.plotted(plot)), size, theme.name, camera
         rest = wanted == self.asked and not self.fine and not self.waiting and not imgui.is_mouse_down(0)
-        if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen:
+        if (wanted == self.asked and not rest) or self.fault or self.app.session.frozen or self.app.text_is_new:
             return
         if self.process is None:
             self.process = PlotProcess(on_picture=glfw.wake)

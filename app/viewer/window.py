@@ -73,6 +73,7 @@ class Window:
         self.editor, self.lines, self.exercise = EditorPanel(self), LinesPanel(self), ExercisePanel(self)
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
+        self.typed: tuple = (None, 0)  # the text that runs, the frame it was first drawn in
         self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
@@ -266,7 +267,10 @@ class Window:
         truth = found.step.ask.sets.get("shape")
         mesh = self.own.mesh_named(int(truth)) if isinstance(truth, int | float) else self.own.triangles
         data = tables.chosen(found.step.scene, truth_values(found))
-        self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
+        try:
+            self.session.reveal(**data, **({} if mesh is None else {"triangles": mesh}))
+        except Problem as problem:  # a file of the user's on the board
+            self.message = str(problem)
 
     def set_value(self, name: str, value: Number) -> None:
         try:
@@ -315,9 +319,18 @@ class Window:
             self.derived = key, self.session.current.derived(self.session.values)
         return {**self.session.values, **self.derived[1], **self.own.data, **self.session.edited}
 
+    @property
+    def text_is_new(self) -> bool:
+        """Whether this frame is the first with a typed text: its picture is shown before anything else follows it."""
+        text = self.session.current.id, *self.session.visit.running.items()
+        if self.typed[0] != text:
+            is_here = self.typed[0] is not None and self.typed[0][0] == text[0]
+            self.typed = text, self.frame if is_here else 0
+        return self.typed[1] == self.frame
+
     def numbers(self) -> list:
         key = self.session.current.id, self.session.revision, *map(id, self.own.data.values())
-        if self.figures[0] != key:
+        if self.figures[0] != key and not self.text_is_new:
             if self.figures[0] is None or self.figures[0][0] != self.session.current.id:
                 self.measured.clear()
             self.figures = key, numbers(self.session.current.step, self.values, self.ctx, self.measured)

@@ -66,7 +66,8 @@ float lobe_flux_blinn(float theta_v, float exponent) {
     float top = 0.25 * PI + 0.5 * theta_v, edge = max(0.25 * PI - 0.5 * theta_v, 0.0);
     for (int piece = 0; piece < 10; piece++) {
         float high = quadrature_end(piece, edge, top, inversesqrt(exponent + 2.0)), size = high - low, part = 0.0;
-        for (int i = 0; i < 24 && size > 0.0; i++) {
+        int count = size > 0.0 ? 24 : 0; // no constant: a compiler would write out all rounds
+        for (int i = 0; i < count; i++) {
             float turn = 0.5 * PI * LEGENDRE_X[i], x = sin(turn), a = low + size * x * x, c = cos(a);
             float big_a = n_dot_v * c, big_b = s * sin(a);
             float inner = big_b > 0.0 ? clamp((n_dot_v / (2.0 * c) - big_a) / big_b, -1.0, 1.0) : -1.0;

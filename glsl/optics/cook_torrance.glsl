@@ -48,7 +48,8 @@ float albedo_cook_torrance(float theta_v, float m, float f0) {
             if (cut > low) high = min(high, cut);
         }
         float wide = high - low;
-        for (int i = 0; i < 12; i++) {
+        int count = wide > 0.0 ? 12 : 0; // no constant: a compiler would write out all rounds
+        for (int i = 0; i < count; i++) {
             float psi = 0.5 * PI * GAUSS_X[i], x = low + wide * sin(psi) * sin(psi);
             float c = 1.0 / sqrt(1.0 + m * x * (m * x)), s = m * x * c, a = c * n_dot_v, b = max(s * sine, 1e-30);
             bool flat_one = 2.0 * c * c > 1.0;

@@ -28,8 +28,8 @@ float lobe_phong(vec3 n, vec3 l, vec3 v, float exponent) {
 }
 
 float lobe_phong_naive(vec3 n, vec3 l, vec3 v, float exponent) {
-    // The Phong Model (1), literally: the power of a number next to 1, or of one below 0, which is none
-    return pow(dot(reflection_vector(n, l), v), exponent);
+    // The Phong Model (1), literally, as a card takes a power: of a number next to 1, or of one below 0, which has no log
+    return exp2(exponent * log2(dot(reflection_vector(n, l), v)));
 }
 
 float shading_phong(vec3 n, vec3 l, vec3 v, float k_d, float k_s, float exponent) {
@@ -60,7 +60,8 @@ float lobe_flux_phong(float theta_v, float exponent) {
     float c = cos(theta_v), s = sin(theta_v), sum = 0.0, edge = max(0.5 * PI - theta_v, 0.0), low = 0.0;
     for (int piece = 0; piece < 10; piece++) {
         float high = quadrature_end(piece, edge, 0.5 * PI, inversesqrt(exponent + 1.0)), size = high - low, part = 0.0;
-        for (int i = 0; i < 24 && size > 0.0; i++) {
+        int count = size > 0.0 ? 24 : 0; // no constant: a compiler would write out all rounds
+        for (int i = 0; i < count; i++) {
             float turn = 0.5 * PI * LEGENDRE_X[i], x = sin(turn), a = low + size * x * x;
             float big_a = c * cos(a), big_b = s * sin(a);
             float turned = arccos(big_b > 0.0 ? clamp(-big_a / big_b, -1.0, 1.0) : -1.0);

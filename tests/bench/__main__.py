@@ -57,6 +57,12 @@ def badges():
     return measure()
 
 
+def albedos():
+    from tests.bench.numbers import albedos as measure
+
+    return measure()
+
+
 def digits():
     from tests.bench.numbers import digits as measure
 
@@ -94,7 +100,7 @@ def board():
 
 
 GROUPS = {measure.__name__: measure
-          for measure in (commands, frames, plots, window, board, pages, points, badges, digits,
+          for measure in (commands, frames, plots, window, board, pages, points, badges, albedos, digits,
                          studies, grading)}
 
 if __name__ == "__main__":

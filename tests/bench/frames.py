@@ -15,7 +15,10 @@ from app.theme import THEMES
 from tests.bench.rows import Job, Row, in_turn, timed
 
 SIZE = (512, 512)
-EDITED = "microfacets/cook_torrance"
+EDITED = ("microfacets/cook_torrance", "d_beckmann"), ("microfacets/cook_torrance", "shade"), (
+    "plausible_shading/board", "d_beckmann"), ("plausible_shading/everything", "d_beckmann"), (
+    "board/cook_torrance", "d_beckmann"), ("board/cook_torrance+oren_nayar+phong", "d_beckmann")
+ASKED_OF_A_KEY = 100.0
 FLIPPED = {"lights/area_sampled": "sampling", "lights/area_work": "sampling", "plausible_shading/board": "shows"}
 ASKED, ASKED_OF_A_BALL = 3.0, 2.0
 BALL = """
@@ -48,7 +51,7 @@ def jobs() -> dict[str, Job]:
             found[f"{step.id}, {what}"] = frame(stage, values, step.step.scene.camera, fine)
     found |= {f"{id}, {name} chosen anew": flipped(catalog.step(id), name) for id, name in FLIPPED.items()}
     found |= {f"{id}, asked at every pixel": asking(catalog.step(id)) for id in FLIPPED}
-    return found | {f"{EDITED}, {name} typed": edited(catalog.step(EDITED), name) for name in ("d_beckmann", "shade")}
+    return found | {f"{id}, {name} typed": edited(catalog.step(id), name) for id, name in EDITED}
 
 
 def flipped(step: catalog.LoadedStep, name: str) -> Job:
@@ -78,7 +81,9 @@ def asking(step: catalog.LoadedStep) -> Job:
 def edited(step: catalog.LoadedStep, name: str) -> Job:
     """From a key to the picture: each time another text, checked, compiled and drawn."""
     known, source, values = edit.functions(step), edit.source_of(step), defaults(step)
-    stage, numbers = Stage(context(), source), count()
+    values |= step.derived(values)
+    values |= data(step, values)
+    stage, numbers = Stage(context(), source, values.get("triangles"), values), count()
 
     def key() -> None:
         text = known[name].text.replace("{", f"{{ float key = {next(numbers)}.0;", 1)
@@ -104,4 +109,5 @@ def frames(rounds: int = 25) -> list[Row]:
     os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
     made = jobs()
     asked = {name: ASKED_OF_A_BALL if "ball" in name else ASKED for name in made if name.endswith("moving")}
+    asked |= {name: ASKED_OF_A_KEY for name in made if name.endswith("typed")}
     return in_turn(made, rounds, asked=asked)

@@ -4,6 +4,8 @@ import numpy as np
 
 from app import catalog, optics
 from app.badges import of_model
+from app.board.terms import ANGLES
+from app.furnace import albedo
 from app.gpu.evaluate import evaluate
 from app.state import defaults
 from tests.bench.rows import Row, in_turn, timed
@@ -37,6 +39,27 @@ def badges(rounds: int = 9) -> list[Row]:
         jobs |= {f"badges of {step.id}, {model.label}": timed(lambda m=model, v=values: of_model(m, v))
                  for model in step.step.models}
     return in_turn(jobs, rounds, asked=dict.fromkeys(list(jobs)[1:], 150.0))
+
+
+ALBEDOS = {  # twin -> its parameters
+    "brdf_lambert": [(0.8,)], "brdf_oren_nayar": [(0.8, 0.5)], "brdf_phong": [(0.0, 1.0, n) for n in (1.0, 1e2, 1e5)],
+    "brdf_blinn_phong": [(0.0, 1.0, 10.0)], "brdf_cook_torrance": [(m, 0.95) for m in (0.01, 0.05, 0.3, 1.0)],
+    "brdf_cook_torrance_printed": [(1.0, 0.95)], "brdf_cook_torrance_smith": [(m, 0.95) for m in (0.05, 0.3, 1.0)],
+    "brdf_ggx": [(a, 0.95) for a in (0.01, 0.3, 1.0)], "brdf_flawed": [(1.0, 4, 0.5, 0.5, 4.0)],
+}
+
+
+def albedos(rounds: int = 7) -> list[Row]:
+    """An albedo curve as the board draws it, of 45 angles to 1e-4; adding two arrays is the reference."""
+    x = np.random.default_rng(1).uniform(0.1, 1.0, MILLION)
+    jobs = {"numpy: x + x": timed(lambda: x + x)}
+    for name, given in ALBEDOS.items():
+        for args in given:
+            def model(n, l, v, name=name, args=args):
+                return optics.twin(name)(n, l, v, *args)
+
+            jobs[f"albedo of {name}, {args}"] = timed(lambda model=model: albedo(model, ANGLES))
+    return in_turn(jobs, rounds, asked=dict.fromkeys(list(jobs)[1:], 200.0))
 
 
 def digits() -> list[Row]:

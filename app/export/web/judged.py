@@ -9,6 +9,7 @@ from app.optics import arguments
 from app.quadrature import gauss_legendre
 from app.quantities import FROM_ANGLES
 
+TILE = 5  # nodes of a tile along a side, of the page's own sums
 SAME = 3e-6  # two ways around one of our float32 twins differ by up to 3e-7, other formulas by more
 TILE = 5  # nodes along a side of a page's tile
 

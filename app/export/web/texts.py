@@ -91,7 +91,8 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
                    "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width} for m in one.marks],
         "dots": asdict(one.dots) if one.dots else None,
         "named": [{"mark": i, "mark_t": mark.label_at} for i, mark in named], "words": words,
-        "probes": 1 + max((*(label.probe for label in one.labels), *(handle.probe for handle in one.handles)), default=-1),
+        "probes": 1 + max([*(label.probe for label in one.labels), *(handle.probe for handle in one.handles)],
+                          default=-1),
         "handles": [asdict(handle) | {"at": len(named) + handle.probe} for handle in one.handles],
         "camera": asdict(one.camera),
     }

@@ -8,7 +8,9 @@ class Deck {
   }
 
   // The state of a frame that comes back; else undefined.
-  get kept() { return this.free && window.name.startsWith(this.mine) ? window.name.slice(this.mine.length) : undefined; }
+  get kept() {
+    return this.free && window.name.startsWith(this.mine) ? window.name.slice(this.mine.length) : undefined;
+  }
 
   keep(state) { if (this.free) window.name = this.mine + state; }
 }

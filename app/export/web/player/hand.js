@@ -42,8 +42,8 @@ function grabbing(grip, handle, page) {
   });
 }
 
-// The places, each 0 to 1, for which a point lies nearest to the pixel `to`: damped least squares (Levenberg, Marquardt).
-// `pixels` gives the point's pixel for each of many lists of places.
+// The places, each 0 to 1, for which a point lies nearest to the pixel `to`, by damped least squares (Levenberg,
+// Marquardt): of four steps the best. `pixels` gives the point's pixel for each of many lists of places.
 function nearest(places, to, pixels) {
   const off = ([x, y]) => Math.hypot(to[0] - x, to[1] - y);
   let [here] = pixels([places]);
@@ -51,7 +51,8 @@ function nearest(places, to, pixels) {
     const nudges = places.map(x => x > 0.5 ? -1e-3 : 1e-3);
     const nudged = pixels(nudges.map((by, i) => places.map((x, k) => i === k ? x + by : x)));
     const slopes = nudged.map(([x, y], i) => [(x - here[0]) / nudges[i], (y - here[1]) / nudges[i]]);
-    const tried = [1e-4, 1e-2, 1, 100].map(damping => stepped(places, slopes, to[0] - here[0], to[1] - here[1], damping));
+    const [x, y] = [to[0] - here[0], to[1] - here[1]];
+    const tried = [1e-4, 1e-2, 1, 100].map(damping => stepped(places, slopes, x, y, damping));
     const found = pixels(tried), best = found.reduce((a, pixel, i) => off(pixel) < off(found[a]) ? i : a, 0);
     if (!(off(found[best]) < off(here))) break;
     [places, here] = [tried[best], found[best]];

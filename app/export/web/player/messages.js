@@ -2,7 +2,8 @@
 //   {halfway: "set", state: "tilt=30&view=-50,22,6"}  sets what is named, as a link in the prose does
 //   {halfway: "get"}        -> {halfway: "state", step, state, values, numbers}
 //   {halfway: "snapshot"}   -> {halfway: "snapshot", step, state, png: "data:image/png;base64,..."}
-// Unasked it tells its parent {halfway: "ready"} once it is drawn, {halfway: "state", ...} after a change, {halfway: "escape"}.
+// Unasked it tells its parent {halfway: "ready"} once it is drawn, {halfway: "state", ...} after a change, and
+// {halfway: "escape"}.
 
 const post = message => parent === window || parent.postMessage(message, "*");
 
