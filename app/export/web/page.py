@@ -154,6 +154,6 @@ def badges(content: Data) -> str:
         words = " ".join(f'<span class="{"kept" if b["ok"] else "broken"}" title="{escape(b["told"])}">'
                         f'{"✓" if b["ok"] else "✗"} {escape(b["short"])}</span>' for b in model["found"])
         return (f'<p class="badges"><b class="ink-{model["ink"]}">{escape(model["label"])}</b> {words}'
-                '<small> of other values</small></p>')
+                '<small> at other values</small></p>')
 
     return "".join(map(one, content["badges"]))
