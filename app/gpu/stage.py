@@ -11,7 +11,7 @@ from app.gpu.context import endless, pixel
 from app.gpu.evaluate import data_texture
 from app.gpu.picture import SAMPLES, Picture
 from app.gpu.scene_programs import ScenePrograms, program_of
-from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, Source, grid, look, pen
+from app.gpu.stage_text import TIP_SIZE, Source, grid, look, mark_uniforms, pen
 from app.gpu.uniforms import give, on_gpu
 from app.lesson import Camera, Mark
 from app.mesh_edges import corner_normals
@@ -214,12 +214,8 @@ class Stage:
 
     def paint_mark(self, i: int, mark: Mark) -> None:
         width = self.line_width * mark.width
-        steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
         self.bind_data(self.programs["mark"])
-        give(self.programs["mark"], mark=i, measure_steps=steps, length_steps=steps if mark.tip == "arrow" else 0,
-             mark_colour=COLOURS.index(mark.colour),
-             dash=LINES.index(mark.line), tip=TIPS.index(mark.tip), line_width=width,
-             tip_size=TIP_SIZE[mark.tip] * width)
+        give(self.programs["mark"], **mark_uniforms(i, mark), line_width=width, tip_size=TIP_SIZE[mark.tip] * width)
         self.array("mark", f"mark {i}").render()
 
     def dot_count(self, values: dict) -> int:

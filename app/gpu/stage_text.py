@@ -10,7 +10,7 @@ import numpy as np
 
 from app import loops, shader
 from app.colormaps import STOPS
-from app.lesson import Colour, Scene
+from app.lesson import Colour, Mark, Scene
 from app.optics.colour import srgb_to_linear
 from app.pruning import decide
 from app.theme import Theme, colour, rgb
@@ -116,6 +116,13 @@ def look(theme: Theme) -> dict:
     return {"background": tuple(srgb_to_linear(rgb(theme.background))),
             "palette": srgb_to_linear([colour(name, theme) for name in COLOURS]).astype("f4").tobytes(),
             "colormap_stops": srgb_to_linear(STOPS[theme.colormap]).astype("f4").tobytes()}
+
+
+def mark_uniforms(which: int, mark: Mark) -> dict[str, int]:
+    """What a mark's program is given but for widths; `steps` pieces measure a length, for dashes and an arrow's tip."""
+    steps = 0 if mark.line == "solid" and mark.tip != "arrow" else 1 if mark.segments == 1 else 16
+    return {"mark": which, "measure_steps": steps, "length_steps": steps if mark.tip == "arrow" else 0,
+            "mark_colour": COLOURS.index(mark.colour), "dash": LINES.index(mark.line), "tip": TIPS.index(mark.tip)}
 
 
 def grid(cells: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from app import shader
 from app.gpu.evaluate import find, point_program
-from app.gpu.stage_text import COLOURS, LINES, TIP_SIZE, TIPS, programs
+from app.gpu.stage_text import TIP_SIZE, mark_uniforms, programs
 from app.lesson import Scene, Term
 from app.optics import arguments
 
@@ -84,11 +84,12 @@ def scene(one: Scene, file: str = "scene", first: int = 1) -> Data:
     words += [{"text": mark.label, "ink": mark.colour, "at": at, "gap": 6 if mark.tip == "none" else 14}
               for at, (_, mark) in enumerate(named)]
     return {
-        "programs": {name: [squeezed(part.text) if part else "" for part in pair] for name, pair in texts.items()},
+        "programs": {name: [squeezed(part.text) for part in pair if part] for name, pair in texts.items()},
         "decided": [name for name in one.decided if name not in none],  # whole values a program is compiled for
-        "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh} for s in one.surfaces],
-        "marks": [{"colour": COLOURS.index(m.colour), "line": LINES.index(m.line), "tip": TIPS.index(m.tip),
-                   "tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width} for m in one.marks],
+        "surfaces": [{"cells": s.cells, "opacity": s.opacity, "mesh": s.mesh, "surface": i}
+                     for i, s in enumerate(one.surfaces)],
+        "marks": [mark_uniforms(i, m) | {"tip_size": TIP_SIZE[m.tip], "segments": m.segments, "width": m.width}
+                  for i, m in enumerate(one.marks)],
         "dots": asdict(one.dots) if one.dots else None,
         "named": [{"mark": i, "mark_t": mark.label_at} for i, mark in named], "words": words,
         "probes": 1 + max([*(label.probe for label in one.labels), *(handle.probe for handle in one.handles)],

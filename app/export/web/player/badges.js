@@ -51,7 +51,7 @@ class Badges {
   async check({linear}, f) {
     const looks = POLES.flatMap(pole => this.furnace.looks(this.rules.views, [pole]));
     const {l, v} = pairs(looks, this.furnace.first), at = i => [l, v].map(d => [...d.subarray(3 * i, 3 * i + 3)]);
-    const usual = many(l.length / 3, at).filter(([[, , z]]) => z > 0), every = [...usual, ...this.corners()];
+    const usual = times(l.length / 3, at).filter(([[, , z]]) => z > 0), every = [...usual, ...this.corners()];
     const ask = (list, ...more) => f(this.packed(list), ...more);
     const value = await ask(every), swap = this.reciprocal(usual, value, await ask(usual.map(([l, v]) => [v, l])));
     const least = topmost(Array.from(value, x => Number.isNaN(x) ? -Infinity : -x));

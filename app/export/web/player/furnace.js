@@ -6,10 +6,8 @@ const POLES = ["eye", "halfway", "mirror"], GRAZING = 1.54, SMOOTH = 2e-5, SURE 
 const ROUNDS = [["eye", 5, 5e-5], ["mirror", 1, 2e-6], ["halfway", 5, 5e-5], ["mirror", 5, 5e-5]]; // how deep and fine
 const sum = numbers => numbers.reduce((a, b) => a + b, 0);
 const topmost = numbers => numbers.reduce((best, x, i) => x > numbers[best] ? i : best, 0);
-const direction = (theta, phi = 0) =>
-  [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
 const cut = ({s, t, high, ...cell}) =>
-  many(4, i => ({...cell, s: s + (i & 1) * high / 2, t: t + (i >> 1) * high / 2, high: high / 2}));
+  times(4, i => ({...cell, s: s + (i & 1) * high / 2, t: t + (i >> 1) * high / 2, high: high / 2}));
 
 // Pairs of directions at the nodes of cells, and n.l dw of each: the grids of app/hemisphere.py.
 function pairs(cells, nodes) {
@@ -39,7 +37,7 @@ function pairs(cells, nodes) {
 
 class Furnace {
   constructor({along, around, tile, narrowest, part}) {
-    const first = along.flatMap(([y, w]) => many(around, i => [(i + 0.5) / around, y, w / around]));
+    const first = along.flatMap(([y, w]) => times(around, i => [(i + 0.5) / around, y, w / around]));
     Object.assign(this, {along, around, first, narrowest, part});
     this.tile = tile.flatMap(([y, a]) => tile.map(([x, b]) => [x, y, a * b]));
   }
@@ -98,7 +96,7 @@ class Furnace {
     const totals = looks.map(() => ({value: 0, error: 0}));
     let cells = looks.flatMap((look, i) => {
       const n = look.theta > GRAZING ? 8 : 3, high = 1 / n;
-      return many(n * n, k => ({...look, total: totals[i], s: k % n * high, t: Math.floor(k / n) * high, high}));
+      return times(n * n, k => ({...look, total: totals[i], s: k % n * high, t: Math.floor(k / n) * high, high}));
     });
     let whole = (await this.light(f, cells, this.tile)).map(sum);
     for (let depth = 0; cells.length; depth++) {

@@ -13,9 +13,8 @@ class Gpu {
 
   // What a context holds; called again when a lost one comes back.
   begin() {
-    this.programs = new Map();
-    this.textures = new Map();
-    this.arrays = new Map();
+    Object.assign(this, {programs: new Map(), textures: new Map(), arrays: new Map(), inputs: []});
+    this.answers = this.gl.createBuffer();
   }
 
   get lost() { return this.gl.isContextLost(); }
@@ -24,18 +23,18 @@ class Gpu {
 
   // --- programs ------------------------------------------------------------------------------------------------------
   // A program with its uniforms, which are asked for when it is first used: until then programs compile side by side.
-  program(vertex, fragment = "") {
-    const key = fragment ? vertex + fragment : vertex;
+  program(vertex, fragment = NO_PIXELS) {
+    const key = vertex + fragment;
     if (!this.programs.has(key)) {
       const {gl} = this, program = gl.createProgram();
-      for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment || NO_PIXELS]]) {
+      for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
         const shader = gl.createShader(type);
         gl.shaderSource(shader, text);
         gl.compileShader(shader);
         gl.attachShader(program, shader);
       }
       for (const name of CORNERS) gl.bindAttribLocation(program, 0, name);
-      if (!fragment) gl.transformFeedbackVaryings(program, ["value"], gl.INTERLEAVED_ATTRIBS);
+      if (fragment === NO_PIXELS) gl.transformFeedbackVaryings(program, ["value"], gl.INTERLEAVED_ATTRIBS);
       gl.linkProgram(program);
       this.programs.set(key, {program, uniforms: null});
     }
@@ -110,12 +109,7 @@ class Gpu {
     gl.bindVertexArray(null);
   }
 
-  // What `paint` draws, on the canvas: at once with hard edges, or through four samples a pixel.
-  coarse(paint) {
-    this.gl.viewport(0, 0, ...this.size);
-    paint();
-  }
-
+  // What `paint` draws, on the canvas through four samples a pixel.
   fine(paint) {
     const {gl} = this, all = [0, 0, ...this.size];
     this.aside(4, 1, () => {
@@ -150,7 +144,6 @@ class Gpu {
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, part);
       return part;
     });
-    gl.viewport(0, 0, ...size);
     work();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.deleteFramebuffer(frame);
@@ -161,48 +154,40 @@ class Gpu {
   // The numbers that programs without pixels give at points: tasks are {program, uniforms, inputs, count, returns}.
   // All of them are read back at once, because waiting for the answer is what takes the time.
   points(tasks) {
-    const {gl} = this, out = gl.createBuffer(), starts = [0];
+    const {gl, answers} = this, starts = [0];
     for (const {count, returns} of tasks) starts.push(starts.at(-1) + 4 * count * WIDTH[returns]);
     const found = new ArrayBuffer(starts.at(-1));
     if (!tasks.length) return [];
-    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, out);
+    gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, answers);
     gl.bufferData(gl.TRANSFORM_FEEDBACK_BUFFER, found.byteLength, gl.STREAM_READ);
     gl.enable(gl.RASTERIZER_DISCARD);
     tasks.forEach(({program, uniforms, inputs, count}, i) => {
       this.use(program, uniforms);
-      const arrays = inputs.flatMap(input => this.input(program.program, input));
-      gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, out, starts[i], starts[i + 1] - starts[i]);
+      for (const one of inputs) this.input(program.program, one);
+      gl.bindBufferRange(gl.TRANSFORM_FEEDBACK_BUFFER, 0, answers, starts[i], starts[i + 1] - starts[i]);
       gl.beginTransformFeedback(gl.POINTS);
       gl.drawArrays(gl.POINTS, 0, count);
       gl.endTransformFeedback();
-      for (const [at, buffer] of arrays) {
-        gl.disableVertexAttribArray(at);
-        gl.deleteBuffer(buffer);
-      }
     });
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
     gl.disable(gl.RASTERIZER_DISCARD);
-    gl.bindBuffer(gl.COPY_READ_BUFFER, out);
-    gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, new Uint8Array(found));
-    gl.deleteBuffer(out);
+    gl.getBufferSubData(gl.TRANSFORM_FEEDBACK_BUFFER, 0, new Uint8Array(found));
     return tasks.map(({count, returns}, i) =>
       new (returns === "int" ? Int32Array : Float32Array)(found, starts[i], count * WIDTH[returns]));
   }
 
-  // An argument: one value for all points, or a typed array with one for each; returns what is in use.
+  // An argument: one value for all points, or a typed array with one for each.
   input(program, {name, type, value}) {
     const {gl} = this, at = gl.getAttribLocation(program, name), whole = type === "int";
-    if (at < 0) return [];
+    if (at < 0) return;
     if (!ArrayBuffer.isView(value)) {
+      gl.disableVertexAttribArray(at);
       gl[whole ? "vertexAttribI4iv" : "vertexAttrib4fv"](at, [...list(value), 0, 0, 0].slice(0, 4));
-      return [];
+      return;
     }
-    const buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.inputs[at] ||= gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, whole ? Int32Array.from(value) : Float32Array.from(value), gl.STREAM_DRAW);
     gl.enableVertexAttribArray(at);
     if (whole) gl.vertexAttribIPointer(at, 1, gl.INT, 0, 0);
     else gl.vertexAttribPointer(at, WIDTH[type], gl.FLOAT, false, 0, 0);
-    return [[at, buffer]];
   }
 }

@@ -1,7 +1,6 @@
 // The lobes of models, values from their GLSL twins: where they peak, how wide, how long they are drawn.
 
 const NORMAL = [0, 0, 1];
-const many = (count, make) => Array.from({length: count}, (_, i) => make(i));
 const mix = (a, x, b, y) => a.map((_, i) => x * a[i] + y * b[i]);
 const largest = numbers => numbers.reduce((a, x) => Number.isFinite(x) && x > a ? x : a, 0);
 
@@ -14,10 +13,10 @@ function across([x, y, z]) {
 // Directions over the hemisphere, dense towards a pole: the grid of app/hemisphere.py.
 function around(pole, rings = 24, spokes = 16, width = 2e-4) {
   const [right, up] = across(pole);
-  return many(spokes, j => {
+  return times(spokes, j => {
     const turn = 2 * Math.PI * j / spokes, way = mix(right, Math.cos(turn), up, Math.sin(turn));
     const stretch = Math.asinh(Math.atan2(Math.max(pole[2], 0), -way[2]) / width);
-    const angles = many(rings, i => width * Math.sinh((i + 0.5) / rings * stretch));
+    const angles = times(rings, i => width * Math.sinh((i + 0.5) / rings * stretch));
     return angles.map(angle => mix(pole, Math.cos(angle), way, Math.sin(angle)));
   }).flat();
 }
@@ -52,7 +51,7 @@ class Models {
       const most = largest(f);
       return {most, peak: tried[Math.max(0, f.indexOf(most))]};
     });
-    const away = many(41, i => 1e-5 * 1e5 ** (i / 40));
+    const away = times(41, i => 1e-5 * 1e5 ** (i / 40));
     const near = this.over(values, best.map(({peak}) => away.flatMap(a => across(peak).flatMap(way =>
       [a, -a].map(angle => mix(peak, Math.cos(angle), way, Math.sin(angle)))))));
     return best.map(({peak, most}, i) => {

@@ -1,7 +1,6 @@
 // The built-in meshes, by the formulas of app/shapes.py in float64, and their normals, as app/mesh_edges.py has them.
 
 const TURN = 2 * Math.PI;
-const times = (count, make) => Array.from({length: count}, (_, i) => make(i));
 const unit = p => p.map(x => x / Math.hypot(...p));
 const plus = (a, b, share = 1) => a.map((x, i) => x + share * b[i]);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

@@ -35,8 +35,8 @@ class SlicePlot {
 
   // Where a lobe is asked for, in rising order: everywhere, and densely about its peak.
   angles(peak) {
-    const near = many(90, i => 1e-6 * 1e6 ** (i / 89)), rim = Math.PI / 2 - 1e-3;
-    const found = [...many(181, i => (i / 90 - 1) * rim), peak, ...near.flatMap(x => [peak + x, peak - x])];
+    const near = times(90, i => 1e-6 * 1e6 ** (i / 89)), rim = Math.PI / 2 - 1e-3;
+    const found = [...times(181, i => (i / 90 - 1) * rim), peak, ...near.flatMap(x => [peak + x, peak - x])];
     return found.map(a => within(a, -rim, rim)).sort((a, b) => a - b);
   }
 
@@ -44,7 +44,7 @@ class SlicePlot {
     const {picture, wide, high} = drawing(this.box, this.plot.title), radius = Math.min(0.5 * wide - 30, high - 44);
     const at = (a, r) => [wide / 2 + radius * r * Math.sin(a), (high + radius) / 2 + 6 - radius * r * Math.cos(a)];
     for (const r of [0.25, 0.5, 0.75, 1])
-      picture.append(line(many(91, i => at((i / 45 - 1) * Math.PI / 2, r)), {class: "grid"}));
+      picture.append(line(times(91, i => at((i / 45 - 1) * Math.PI / 2, r)), {class: "grid"}));
     for (let d = -90; d <= 90; d += 30)
       picture.append(line([at(0, 0), at(d * RADIANS, 1)], {class: "grid"}),
                      words(...at(d * RADIANS, 1 + 16 / radius), `${Math.abs(d)}°`));

@@ -38,12 +38,13 @@ class Stage {
   draw(values, theme, fine = true, lineScale = 1) {
     const {gpu, scene: {dots}} = this;
     this.line = theme.line * Math.max(0.75, Math.min(...gpu.size) / 620) * lineScale;
-    this.given = {...values, ...this.data(values), view_projection: this.matrix, viewport: gpu.size,
+    this.given = {...values, ...this.data(values), view_projection: this.matrix.toFloat32Array(), viewport: gpu.size,
                   camera_position: cameraPosition(this.camera), palette: theme.palette, background: theme.linear,
                   colormap_stops: theme.stops, dot_size: (2 + this.line) * (dots ? dots.size : 1)};
     for (const program of this.pictured(values)) gpu.use(program, this.given);
     gpu.gl.clearColor(...theme.srgb, 1);
-    gpu[fine ? "fine" : "coarse"](() => this.paint());
+    if (fine) gpu.fine(() => this.paint());
+    else this.paint();
   }
 
   // Of the last picture, as it was drawn: pixels that are not a number, infinite, negative.
@@ -55,37 +56,34 @@ class Stage {
   // Opaque surfaces, then dots and marks, then what one looks through.
   paint() {
     const {gpu, gpu: {gl}, scene: {surfaces, marks, dots}} = this;
-    gl.depthMask(true);
+    gl.viewport(0, 0, ...gpu.size);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
-    surfaces.forEach((surface, i) => surface.opacity >= 1 && this.surface(surface, i));
+    for (const one of surfaces.filter(({opacity}) => opacity >= 1)) this.surface(one);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     if (dots) {
       gpu.use(this.uses.dots, {});
       gl.drawArrays(gl.POINTS, 0, typeof dots.count === "string" ? Math.round(this.given[dots.count]) : dots.count);
     }
-    marks.forEach((mark, i) => this.mark(mark, i));
+    for (const one of marks) this.mark(one);
     gl.depthMask(false);
-    surfaces.forEach((surface, i) => surface.opacity >= 1 || this.surface(surface, i));
+    for (const one of surfaces.filter(({opacity}) => opacity < 1)) this.surface(one);
     gl.depthMask(true);
   }
 
-  surface({mesh, cells, opacity}, i) {
+  surface({mesh, cells, ...uniforms}) {
     const data = this.given.triangles;
-    this.gpu.use(this.uses[mesh ? "mesh" : "surface"], {surface: i, opacity});
+    this.gpu.use(this.uses[mesh ? "mesh" : "surface"], uniforms);
     if (mesh) this.gpu.triangles(data, () => data.corners);
     else this.gpu.triangles(`grid ${cells}`, () => grid(cells, (s, t) => [s, t]));
   }
 
-  mark(mark, i) {
-    const width = this.line * mark.width, tip = mark.tip > 0;
-    const steps = mark.line === 0 && mark.tip !== 1 ? 0 : mark.segments === 1 ? 1 : 16;
-    this.gpu.use(this.uses.mark, {mark: i, measure_steps: steps, length_steps: mark.tip === 1 ? steps : 0,
-                                  mark_colour: mark.colour, dash: mark.line, tip: mark.tip, line_width: width,
-                                  tip_size: mark.tip_size * width});
-    this.gpu.triangles(`pen ${mark.segments} ${tip}`, () => pen(mark.segments, tip));
+  mark({segments, width, tip_size, ...uniforms}) {
+    const line = this.line * width, tip = uniforms.tip > 0;
+    this.gpu.use(this.uses.mark, {...uniforms, line_width: line, tip_size: tip_size * line});
+    this.gpu.triangles(`pen ${segments} ${tip}`, () => pen(segments, tip));
   }
 
   // Where named marks and then probes stand, in the world.
@@ -106,19 +104,13 @@ class Stage {
   }
 }
 
-const fours = numbers => Array.from({length: numbers.length / 4}, (_, i) => numbers.subarray(4 * i, 4 * i + 4));
+const fours = numbers => times(numbers.length / 4, i => numbers.subarray(4 * i, 4 * i + 4));
 
 // Triangles over a grid of cells, with `corner` where s and t go from 0 to 1.
 function grid([across, up], corner) {
-  const corners = [], indices = [];
-  for (let j = 0; j <= up; j++) for (let i = 0; i <= across; i++) corners.push(corner(i / across, j / up));
-  for (let j = 0; j < up; j++) {
-    for (let i = 0; i < across; i++) {
-      const a = j * (across + 1) + i, d = a + across + 1;
-      indices.push(a, a + 1, d + 1, a, d + 1, d);
-    }
-  }
-  return [corners, indices];
+  const wide = across + 1, cell = a => [a, a + 1, a + wide + 1, a, a + wide + 1, a + wide];
+  const corners = times(wide * (up + 1), k => corner(k % wide / across, Math.floor(k / wide) / up));
+  return [corners, times(across * up, k => cell(k + Math.floor(k / across))).flat()];
 }
 
 // A line of some pieces, and perhaps the square its tip is drawn in.

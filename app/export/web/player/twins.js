@@ -22,12 +22,12 @@ class Twins {
   }
 }
 
+const direction = (theta, phi = 0) =>
+  [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
+
 // The unit vectors n, l, v and h are no values: they follow from the angles theta_l, theta_v and phi.
 function vector(name, values) {
   const {theta_l = 0, theta_v = 0, phi = 0} = values;
-  if (name === "n") return [0, 0, 1];
-  if (name === "l") return [Math.sin(theta_l) * Math.cos(phi), Math.sin(theta_l) * Math.sin(phi), Math.cos(theta_l)];
-  if (name === "v") return [Math.sin(theta_v), 0, Math.cos(theta_v)];
-  const l = vector("l", values), v = vector("v", values), h = l.map((x, i) => x + v[i]), long = Math.hypot(...h);
-  return h.map(x => x / long);
+  const l = direction(theta_l, phi), v = direction(theta_v), h = l.map((x, i) => x + v[i]);
+  return {n: [0, 0, 1], l, v, h: h.map(x => x / Math.hypot(...h))}[name];
 }

@@ -2,6 +2,7 @@
 
 const RADIANS = Math.PI / 180;
 const digits = value => String(Number(value.toPrecision(6))); // as a link has them
+const times = (count, make) => Array.from({length: count}, (_, i) => make(i));
 const list = value => Array.isArray(value) || ArrayBuffer.isView(value) ? value : [value];
 const within = (x, low, high) => Math.min(Math.max(x, low), high);
 const shaped = (spec, numbers) => Array.isArray(spec.default) ? numbers : numbers[0];
