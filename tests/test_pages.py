@@ -20,7 +20,7 @@ from app.export.still import data
 from app.export.web import math
 from app.export.web.command import export, wanted
 from app.export.web.content import content, contrast, inks
-from app.export.web.page import file_of
+from app.export.web.page import file_of, script
 from app.gpu.evaluate import evaluate
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
@@ -354,6 +354,7 @@ def test_without_webgl_it_is_a_still(tmp_path, browser):
                 "HTMLCanvasElement.prototype.getContext = () => null") as (tab, heard):
         assert tab.locator(".poster").is_visible() and tab.locator(".still-note").is_visible()
         assert tab.evaluate("document.querySelector('.poster').naturalWidth") > 400
+        assert 0 < tab.locator(".tex").count() == tab.locator(".tex .katex").count()  # the formulas are set all the same
     assert heard.said == []
 
 
@@ -475,6 +476,9 @@ def test_the_command(tmp_path, capsys):
 def test_a_page_carries_only_what_it_uses():
     cone, mesh = (content(step(id)) for id in ("solid_angle/cone", "solid_angle/mesh"))
     assert not cone["meshes"] and len(mesh["meshes"]) == len(step("solid_angle/mesh").step.scene.meshes)
+    for one in map(content, steps()):
+        used = {"grabbing": one["scene"]["handles"], "breaking": one["breaks"], "mesh": one["meshes"]}
+        assert [f"function {name}(" in script(one) for name in used] == [bool(parts) for parts in used.values()]
     text = json.dumps(cone["twins"])
     assert "solid_angle_mesh" not in text and "careful_cos" not in cone["twins"]["solid_angle_cone"]["text"]
     assert math.fonts("no formulas") == math.ALWAYS

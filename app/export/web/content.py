@@ -30,7 +30,7 @@ def content(found: LoadedStep) -> Data:
         "step": found.id,
         "values": [value(spec) for spec in found.values.values()],
         "scene": scene(step.scene, found.file_name, found.glsl_line),
-        "readouts": [readout(one, twins) for one in step.readouts],
+        "readouts": readouts(step.readouts, twins),
         "plots": [plot(one, found, twins) for one in step.plots],
         "ask": question(found),
         "badges": [badges(model, defaults(found), twins) for model in step.models],
@@ -54,14 +54,16 @@ def breakage(found: LoadedStep, which: int, twins: Twins, plots: list[Data]) -> 
             plots.append(made)
     return {"told": one.told, "sets": values_of(found, one), "put": put,
             "scene": scene(changed.step.scene, found.file_name, found.glsl_line),
-            "readouts": [readout(one, twins) for one in changed.step.readouts]}
+            "readouts": readouts(changed.step.readouts, twins)}
 
 
-def readout(one: Readout, twins: Twins) -> Data:
-    """`nothing`: of that size a signed sum is 0, but for rounding in float32."""
-    nothing = 8 * ROUNDING["float32"] * SUMS.get(one.term.function, 0.0)
-    return {"label": one.label, "term": twins.term(one.term), "unit": one.unit, "against": one.against,
-            "absent": one.absent, "nothing": nothing}
+def readouts(all_: tuple[Readout, ...], twins: Twins) -> list[Data]:
+    """`against`: the place of the exact one, or -1; `nothing`: of that size a signed sum is 0, but for rounding in
+    float32."""
+    places = {one.label: i for i, one in enumerate(all_)}
+    return [{"label": one.label, "term": twins.term(one.term), "unit": one.unit, "absent": one.absent,
+             "against": places.get(one.against, -1),
+             "nothing": 8 * ROUNDING["float32"] * SUMS.get(one.term.function, 0.0)} for one in all_]
 
 
 def value(spec: ValueSpec) -> Data:

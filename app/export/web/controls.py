@@ -69,7 +69,7 @@ def ask(question: Prediction) -> str:
         answer = "".join(f'<label><input type="radio" name="guess" value="{i}"> {escape(choice.text)}</label>'
                          for i, choice in enumerate(question.choices))
     else:
-        answer = (f'<input id="guess" type="range" min="0" max="1" step="{1 / PLACES}" value="0.5" '
+        answer = (f'<input id="guess" type="range" min="0" max="{PLACES}" value="{PLACES // 2}" '
                   'aria-label="your guess"><output id="guessed" for="guess"></output>')
     return (f'<div id="ask"><p>{escape(question.question)}</p><div class="choices">{answer}'
             '</div><button id="reveal" type="button">Reveal</button><p id="verdict" role="status"></p>'

@@ -21,10 +21,10 @@ from app.theme import THEMES
 
 PLAYER = Path(__file__).with_name("player")
 CORE = ("values.js", "written.js", "gpu.js", "twins.js", "camera.js", "stage.js", "labels.js", "hand.js", "page.js",
-        "controls.js", "messages.js", "deck.js")  # then what draws the kinds of plots a step has
-KINDS = {"curves": ("CurvesPlot", ("svg.js", "curves.js")), "ledger": ("LedgerPlot", ("ledger.js",)),
-         "slice": ("SlicePlot", ("svg.js", "models.js", "slices.js")),
-         "space": ("SpacePlot", ("models.js", "space.js"))}
+        "controls.js", "frame.js")  # then what only some steps have, and what draws the kinds of plots
+KINDS = {"curves": ("CurvesPlot", ("scale.js", "svg.js", "curves.js")), "ledger": ("LedgerPlot", ("ledger.js",)),
+         "slice": ("SlicePlot", ("scale.js", "svg.js", "models.js", "slices.js")),
+         "space": ("SpacePlot", ("scale.js", "models.js", "space.js"))}
 
 WORDS = ":is(.words,.badges,.prose)"  # coloured words; lines and areas keep the picture's colours
 
@@ -39,11 +39,12 @@ def text_of(name: str) -> str:
 
 
 def script(content: Data) -> str:
-    """The player, with what draws this step's plots and no other."""
+    """The player, with what this step uses and no more."""
     kinds = {plot["kind"]: KINDS[plot["kind"]] for plot in content["plots"] if plot["kind"] in KINDS}
-    shapes = ("shapes.js",) if content["meshes"] else ()
+    some = {"grips.js": content["scene"]["handles"], "breaking.js": content["breaks"], "shapes.js": content["meshes"]}
     judged = ("models.js", "furnace.js", "badges.js") if content["badges"] else ()
-    files = dict.fromkeys((*CORE, *shapes, *(name for _, names in kinds.values() for name in names), *judged))
+    files = dict.fromkeys((*CORE, *(name for name, used in some.items() if used),
+                           *(name for _, names in kinds.values() for name in names), *judged))
     table = ", ".join(f"{kind}: {made}" for kind, (made, _) in kinds.items())
     return f'"use strict";\n{"".join(map(text_of, files))}const KINDS = {{{table}}};\n{text_of("start.js")}'
 
@@ -70,7 +71,7 @@ def page(found: LoadedStep, content: Data, poster: bytes | None, stills: dict[in
     prose_html = html(step.prose, math.Formulas(), link)
     notes = html(step.notes, math.Formulas(), link)
     with_math = 'class="tex"' in prose_html + notes
-    scripts = [script(content)] + [math.script()] * with_math
+    scripts = [script(content)] + [math.script() + text_of("typeset.js")] * with_math
     style = (math.style(math.fonts(step.prose + step.notes)) if with_math else "") + text_of("page.css")
     style += "".join(themed(name, inks(theme)) for name, theme in THEMES.items())
     note = f"\n<!-- KaTeX 0.19.1\n{math.licence()}\n-->" if with_math else ""

@@ -1,4 +1,4 @@
-// What the hand works beside the picture: sliders, fields and choices, buttons, breaks and the question.
+// What the hand works beside the picture: sliders, fields and choices, buttons and the question.
 
 function working(page) {
   const on = (id, kind, act) => $(id).addEventListener(kind, act, true), {values, specs} = page;
@@ -36,29 +36,15 @@ function working(page) {
   for (const id of ["picture", "plots"]) sized.observe($(id));
 }
 
-// Naive forms in the place of stable ones, at the values where that shows; unchecked, the stable ones again.
-function breaking(page, box) {
-  for (const other of all(".break input")) other.checked &&= other === box;
-  const {breaks, scene, readouts} = page.content, whole = {scene, readouts, put: {}, sets: {}, told: ""};
-  const now = box.checked ? breaks[box.value] : whole;
-  Object.assign(page, {readouts: now.readouts, put: now.put});
-  page.stage.scene = now.scene;
-  page.stage.begin();
-  for (const row of all("#numbers > div")) row.hidden = row.dataset.broken !== (box.checked ? box.value : "");
-  $("broken").textContent = now.told;
-  page.change(now.sets);
-}
-
 // How each guess does was found when the page was made.
 function questioning(page) {
   const {ask, ask: {unit, verdicts, ending, sets}} = page.content, slider = $("guess");
-  const tell = () => { $("guessed").textContent = written(fromSlider(+slider.value, ask), unit); };
+  const tell = () => { $("guessed").textContent = written(fromSlider(slider.value / slider.max, ask), unit); };
   slider?.addEventListener("input", tell);
   if (slider) tell();
   $("reveal").addEventListener("click", () => {
-    const picked = document.querySelector("#ask input:checked");
-    const which = slider ? Math.round(slider.value / slider.step) : picked ? +picked.value : verdicts.length - 1;
-    $("verdict").textContent = verdicts[which] + ending;
+    const guess = slider || document.querySelector("#ask :checked");
+    $("verdict").textContent = verdicts[guess?.value ?? verdicts.length - 1] + ending;
     $("told").hidden = false;
     page.change(sets);
   });

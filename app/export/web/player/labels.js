@@ -6,12 +6,8 @@ function label(box, stage, values) {
   const points = stage.places(values).map(point => project(stage.matrix, point, wide, high));
   const inside = ([x, y, w]) => w > 0 && Math.abs(x / wide - 0.5) < 0.55 && Math.abs(y / high - 0.5) < 0.55;
   const words = stage.scene.words.filter(({at}) => inside(points[at]));
-  box.replaceChildren(...words.map(({text, ink}) => {
-    const word = document.createElement("span");
-    word.className = `ink-${ink}`;
-    word.textContent = text;
-    return word;
-  }));
+  box.replaceChildren(...words.map(({text: textContent, ink}) =>
+    Object.assign(document.createElement("span"), {textContent, className: `ink-${ink}`})));
   const taken = [];
   words.forEach(({at, gap}, i) => {
     const [x, y] = points[at], away = [x - wide / 2, y - high / 2], long = Math.hypot(...away);

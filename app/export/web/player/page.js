@@ -14,8 +14,8 @@ class Page {
     this.gpu = new Gpu(this.canvas);
     this.stage = new Stage(this.gpu, content.scene, data);
     this.twins = new Twins(this.gpu, content.twins, data);
-    this.deck = new Deck(content.step);
-    this.set(this.deck.kept ?? (location.search.slice(1) || content.begin || "")); // a page in srcdoc has no address
+    this.kept = new Kept(content.step);
+    this.set(this.kept.state ?? (location.search.slice(1) || content.begin || "")); // a page in srcdoc has no address
     this.stage.pictured(this.values); // the programs of the picture compile while the rest is made
     Object.assign(this, {readouts: content.readouts, shown: 0, put: {}, drawn: [], grips: all(".grip")});
     this.restyle(["dark", "light", "projector"].find(name => location.hash.includes(name)) ||
@@ -27,7 +27,6 @@ class Page {
     working(this);
     questioning(this);
     conversing(this);
-    clicking();
     this.draw();
   }
 
@@ -98,7 +97,7 @@ class Page {
       document.documentElement.dataset.drawn = this.frames;
       if (this.frames > 1) return;
       post({halfway: "ready", step: this.content.step});
-      setTimeout(typeset);
+      setTimeout(() => window.typeset?.()); // where formulas are
     });
   }
 
@@ -125,15 +124,15 @@ class Page {
 
   tell() {
     const {readouts, values} = this, found = this.twins.numbers(readouts.map(({term}) => term), values);
-    const sizes = found.map((x, i) => Math.abs(x) <= readouts[i].nothing ? 0 : x);
-    const exact = Object.fromEntries(readouts.map(({label}, i) => [label, sizes[i]]));
-    this.numbers = readouts.map(({label, unit, absent}, i) =>
-      ({label, value: sizes[i], text: absent && Number.isNaN(sizes[i]) ? absent : written(sizes[i], unit)}));
+    this.numbers = readouts.map(({label, unit, absent, nothing}, i) => {
+      const value = Math.abs(found[i]) <= nothing ? 0 : found[i];
+      return {label, value, text: absent && Number.isNaN(value) ? absent : written(value, unit)};
+    });
     all("#numbers > :not([hidden]) dd").forEach((cell, i) => {
       const {unit, against} = readouts[i], {text, value} = this.numbers[i], [number, error] = cell.children;
       cell.title = `${value} ${unit} (float32)`;
       number.textContent = text;
-      error.textContent = against ? errorWords(value, exact[against], unit) : "";
+      error.textContent = against < 0 ? "" : errorWords(value, this.numbers[against].value, unit);
     });
   }
 
@@ -157,7 +156,7 @@ class Page {
     const state = this.state();
     if (state === this.told) return;
     this.told = state;
-    this.deck.keep(state);
+    this.kept.state = state;
     try { history.replaceState(null, "", this.link()); } catch { /* a frame without an address */ }
     $("said").textContent = this.numbers.map(({label, text}) => `${label} ${text}`).join(", "); // for screen readers
     post(this.report());

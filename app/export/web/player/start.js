@@ -13,17 +13,8 @@ function unpacked(content) {
   return content;
 }
 
-// The formulas, once the picture stands.
-function typeset() {
-  if (typeof katex === "undefined") return;
-  for (const one of all(".tex"))
-    katex.render(one.textContent, one, {displayMode: one.dataset.display === "yes", throwOnError: false, strict: false,
-                                        trust: ({command}) => command === "\\htmlClass"});
-}
-
 const {classList} = document.documentElement, able = $("picture").getContext("webgl2", HOW);
 classList.toggle("scene-only", location.hash.includes("scene"));
 classList.toggle("scene-bare", location.hash.includes("scene-bare"));
 classList.toggle("still-only", !able);
 if (able) window.halfway = new Page(unpacked(JSON.parse($("content").textContent)));
-else typeset();
