@@ -24,7 +24,7 @@ class Gpu {
   // --- programs ------------------------------------------------------------------------------------------------------
   // A program with its uniforms, which are asked for when it is first used: until then programs compile side by side.
   program(vertex, fragment = NO_PIXELS) {
-    const key = vertex + fragment;
+    const key = fragment === NO_PIXELS ? vertex : vertex + fragment; // a sum of texts is hashed anew each time
     if (!this.programs.has(key)) {
       const {gl} = this, program = gl.createProgram();
       for (const [type, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
