@@ -79,8 +79,12 @@ def question(found: LoadedStep) -> Data:
     guesses = range(len(ask.choices)) if ask.choices else [place(ask, i / PLACES) for i in range(PLACES + 1)]
     answers = [revealed(guessed(ask, guess), true) for guess in guesses]
     answers += [answer for answer in answers if ask.choices and not is_right(ask, answer)][:1]  # as for no choice
-    return {"unit": ask.unit, "low": ask.low, "high": ask.high, "log": ask.scale == "log",
-            "verdicts": [words(ask, answer) for answer in answers],
+    verdicts = [words(ask, answer) for answer in answers]
+    ending = verdicts[0]  # of all of them: written once, for there may be 201
+    while not all(verdict.endswith(ending) for verdict in verdicts):
+        ending = ending[1:]
+    return {"unit": ask.unit, "low": ask.low, "high": ask.high, "log": ask.scale == "log", "ending": ending,
+            "verdicts": [verdict.removesuffix(ending) for verdict in verdicts],
             "sets": truth_values(found) if ask.sets else {}}
 
 

@@ -51,14 +51,14 @@ function breaking(page, box) {
 
 // How each guess does was found when the page was made.
 function questioning(page) {
-  const {ask, ask: {unit, verdicts, sets}} = page.content, slider = $("guess");
+  const {ask, ask: {unit, verdicts, ending, sets}} = page.content, slider = $("guess");
   const tell = () => { $("guessed").textContent = written(fromSlider(+slider.value, ask), unit); };
   slider?.addEventListener("input", tell);
   if (slider) tell();
   $("reveal").addEventListener("click", () => {
     const picked = document.querySelector("#ask input:checked");
     const which = slider ? Math.round(slider.value / slider.step) : picked ? +picked.value : verdicts.length - 1;
-    $("verdict").textContent = verdicts[which];
+    $("verdict").textContent = verdicts[which] + ending;
     $("told").hidden = false;
     page.change(sets);
   });
