@@ -176,7 +176,7 @@ class Legend:
             entry = Entry(samples[i % len(samples)], one.colour(look), one.label)
             paste(picture, mark(look, entry, self.swatch, self.high), x, y - self.high / 2)
             x += self.swatch + self.gap
-            value, room = three(one.number) + one.unit, 2 * self.gap + (i % self.columns + 1) * wide - x
+            value, room = three(one.number) + one.unit, self.gap + (i % self.columns + 1) * wide - x
             letters = fitting(look, f"{one.label}  {value}", room, 0.75 * look.small)
             name = next((cut for count in range(len(one.label), 2, -1)
                          if letters.getlength(f"{(cut := shortened(one.label, count))}  {value}") <= room), "…")

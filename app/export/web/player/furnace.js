@@ -2,7 +2,7 @@
 // the light is, then tiles of the square (s, t) about a pole are cut into four where that changes something. Values are
 // float32 and tiles fewer: at most 0.0015 of the albedo from the desktop's (tests/test_page_badges.py).
 
-const POLES = ["eye", "halfway", "mirror"], GRAZING = 1.54, SMOOTH = 2e-5, SURE = 2e-4, TILES = 600;
+const POLES = ["eye", "halfway", "mirror"], GRAZING = 1.54, SMOOTH = 2e-5, SURE = 2e-4, WIDE = 0.1, TILES = 600;
 const ROUNDS = [["eye", 5, 5e-5], ["mirror", 1, 2e-6], ["halfway", 5, 5e-5], ["mirror", 5, 5e-5]]; // how deep and fine
 const sum = numbers => numbers.reduce((a, b) => a + b, 0);
 const topmost = numbers => numbers.reduce((best, x, i) => x > numbers[best] ? i : best, 0);
@@ -80,7 +80,8 @@ class Furnace {
       const wanted = best.map(one => ({one, look: one.looks[POLES.indexOf(pole)]})).filter(({one, look}) => {
         const [eye, halfway, mirror] = one.looks.map(({width}) => width), back = eye < 0.3 * Math.min(halfway, mirror);
         const sure = one.error <= SURE * Math.max(1, look.seen) && look.seen <= 1.15 * one.value + 0.01;
-        return back === (pole === "eye") && !sure;
+        const edge = pole === "halfway" && one.theta > GRAZING && halfway > WIDE; // its grid ends beyond the horizon
+        return back === (pole === "eye") && !sure && !edge;
       });
       const found = await this.tiles(f, wanted.map(({look}) => look), deepest, enough);
       found.forEach(({value, error}, i) => {
