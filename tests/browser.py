@@ -10,8 +10,8 @@ PATIENCE = 120_000  # ms: a busy machine compiles slowly
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 
 DRAWN = """() => { // how far apart the picture's brightest and darkest pixels are
+    halfway.picture(false); // which may give the canvas another size
     const {gpu, canvas} = halfway, gl = gpu.gl, pixels = new Uint8Array(4 * canvas.width * canvas.height);
-    halfway.picture(false);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     const greens = pixels.filter((_, i) => i % 4 === 1);
     return greens.reduce((a, b) => Math.max(a, b)) - greens.reduce((a, b) => Math.min(a, b));

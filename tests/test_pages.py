@@ -354,7 +354,7 @@ def test_without_webgl_it_is_a_still(tmp_path, browser):
                 "HTMLCanvasElement.prototype.getContext = () => null") as (tab, heard):
         assert tab.locator(".poster").is_visible() and tab.locator(".still-note").is_visible()
         assert tab.evaluate("document.querySelector('.poster').naturalWidth") > 400
-        assert 0 < tab.locator(".tex").count() == tab.locator(".tex .katex").count()  # the formulas are set all the same
+        assert 0 < tab.locator(".tex").count() == tab.locator(".tex .katex").count()  # set all the same
     assert heard.said == []
 
 

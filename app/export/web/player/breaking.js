@@ -1,4 +1,4 @@
-// "Break it": naive forms in the place of stable ones, at the values where that shows; unchecked, the stable ones again.
+// "Break it": naive forms in the place of stable ones, at the values where that shows; unchecked, the stable again.
 function breaking(page, box) {
   for (const other of all(".break input")) other.checked &&= other === box;
   const {breaks, scene, readouts} = page.content, whole = {scene, readouts, put: {}, sets: {}, told: ""};
