@@ -32,21 +32,12 @@ from app.readouts import numbers
 from app.state import defaults, parse, write
 from app.terms import evaluate as term_value
 from app.theme import THEMES
+from tests.test_board_report import TINTED
 
-FILE = """analytic
-::begin parameters
-float n 0 4 1
-color tint 1 .5 .25
-bool twice 0
-::end parameters
-::begin shader
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return (twice ? 2. : 1.) * n * tint / 3.14159265; }
-::end shader
-"""
 DARK = THEMES["dark"]
 
 
-def write_file(folder, name: str, text: str = FILE) -> str:
+def write_file(folder, name: str, text: str = TINTED) -> str:
     path = folder / name
     path.write_text(text)
     return str(path)
@@ -73,7 +64,7 @@ def test_a_board_is_a_step_and_a_state_like_any_other(tmp_path):
     assert parse(write(found, state.values, state.view)) == state
     with pytest.raises(Usage, match="model0_n"):
         parse(f"{found.id}?model0_n=1")
-    write_file(tmp_path, "a file+one.brdf", FILE.replace("float n 0 4 1", "float n 0 4 3"))
+    write_file(tmp_path, "a file+one.brdf", TINTED.replace("float n 0 4 1", "float n 0 4 3"))
     assert step(found.id).values["model1_n"].default == 3, "a file that has changed is read again"
 
 
@@ -158,7 +149,7 @@ def drawn(ctx, found, values: dict, size=(240, 220)) -> tuple[np.ndarray, object
 
 def test_a_sphere_is_lit_as_the_formula_says(ctx, tmp_path):
     """The large ball's middle: E n.l f, the eye straight above it."""
-    found = step(id_of([write_file(tmp_path, "grey.brdf", FILE.replace("1 .5 .25", ".5 .5 .5"))]))
+    found = step(id_of([write_file(tmp_path, "grey.brdf", TINTED.replace("1 .5 .25", ".5 .5 .5"))]))
     values = values_of(found, theta_v=0.0, theta_l=1.0, light=1.0, lobe_top=1e6, turned=0.0)
     stage = Stage(ctx, Source(found.step.scene, "the board"), values["triangles"])
     try:
@@ -212,7 +203,7 @@ def test_what_is_not_seen_is_not_drawn(ctx, stands):
 
 
 def test_what_is_no_number_is_seen(ctx, tmp_path):
-    text = FILE.replace("return (twice", "return sqrt(dot(L, V) - 0.9) * (twice")
+    text = TINTED.replace("return (twice", "return sqrt(dot(L, V) - 0.9) * (twice")
     _, faults = drawn(ctx, found := step(id_of([write_file(tmp_path, "nan.brdf", text)])), values_of(found))
     assert faults.nan > 100
 

@@ -227,13 +227,15 @@ def ground(canvas: np.ndarray, look: Look, across: Axis, up: Axis, box: tuple[in
     draw, letters, ink = ImageDraw.Draw(image), font(look, look.small), bytes3(look.foreground)
     thin = max(1, round(look.line / 2))
     (x0, x1), (y0, y1) = across.ends, up.ends
-    every = 1 if (right - left) / max(1, x1 - x0) > 1.2 * letters.getlength("100 ms") else 2
+    free = 0.0  # where the last word ended
     for k in range(round(x0), round(x1) + 1):
         x = left + (k - x0) / (x1 - x0) * (right - left)
         draw.line((x, top, x, bottom), bytes3(look.grid), thin)
-        if (k - round(x0)) % every == 0:
-            anchor = "ra" if k == round(x1) else "ma"
-            draw.text((min(x, right + 0.8 * look.small), bottom + 0.35 * look.small), lasting(k), ink, letters, anchor)
+        wide = letters.getlength(lasting(k))
+        begin = min(x - wide / 2, right + 0.8 * look.small - wide)
+        if begin >= free:
+            draw.text((begin, bottom + 0.35 * look.small), lasting(k), ink, letters, "la")
+            free = begin + wide + 0.5 * look.small
     stride = max(1, round((y1 - y0) / max(2, (bottom - top) / (2.2 * look.small)) + 0.49))
     for k in range(round(y0), round(y1) + 1):
         y = bottom - (k - y0) / (y1 - y0) * (bottom - top)
