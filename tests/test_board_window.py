@@ -9,7 +9,8 @@ from imgui_bundle import ImVec2, imgui
 
 from app import camera as orbit
 from app.brush import picked_frame
-from tests.test_board_step import FILE, write_file
+from tests.test_board_report import TINTED
+from tests.test_board_step import write_file
 from tests.window import drive, frames, on_gl, until
 
 
@@ -50,7 +51,7 @@ def test_three_models_have_room_on_a_projector(tmp_path, theme):
 
 
 def test_a_file_is_dropped_examined_and_left(tmp_path):
-    good, bad = write_file(tmp_path, "tinted.brdf"), write_file(tmp_path, "bad.brdf", FILE.replace("tint /", "tnt /"))
+    good, bad = write_file(tmp_path, "tinted.brdf"), write_file(tmp_path, "bad.brdf", TINTED.replace("tint /", "tnt /"))
 
     def test(engine, window):
         frames(engine)
