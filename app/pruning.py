@@ -109,10 +109,13 @@ def masked(part: Block) -> str:
 
 @lru_cache(2048)
 def pruned(part: Block, known: tuple[tuple[str, int], ...]) -> Block:
-    """A function without what is not run at these numbers."""
+    """A function without what is not run at these numbers; what is no GLSL, or too deep, is left for the compiler."""
     code = masked(part)
     text = list(code)
-    statement(text, code.index("{"), dict(known))
+    try:
+        statement(text, code.index("{"), dict(known))
+    except (ValueError, IndexError, RecursionError):
+        return part
     if "".join(text) == code:
         return part
     written = "\n".join(line.text for line in part.lines)  # with its remarks
@@ -212,8 +215,11 @@ def truth(condition: str, known: Known) -> bool | None:
             if word not in known:
                 return None
             word = str(known[word])
-        words.append({"!": "not "}.get(word, word))
-    found_value = eval(" ".join(words), {"__builtins__": {}}) if words else None  # numbers and signs alone
+        words.append({"!": "not", "&&": "and", "||": "or"}.get(word, word))
+    try:
+        found_value = eval(" ".join(words), {"__builtins__": {}}) if words else None  # numbers and signs alone
+    except (SyntaxError, TypeError, ValueError, ArithmeticError, RecursionError, MemoryError):
+        return None  # the compiler's to judge
     return found_value if isinstance(found_value, bool) else None
 
 

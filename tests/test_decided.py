@@ -259,6 +259,19 @@ def test_a_decided_branch_goes(code, kind, left):
     assert shortened(HEAD + code, kind=kind) == f"const int kind = {kind}; float f() {{ {left}"
 
 
+@pytest.mark.parametrize("body", [
+    "return kind % 0 == 1 ? 1.0 : 2.0;", "return kind == 010 ? 1.0 : 2.0;", "return (kind == 1)(2) ? 1.0 : 2.0;",
+    "if (kind == 1", "if (kind == 1) ", "return kind == 1 ? 1.0 ;", "float x = kind == 1 ? ;",
+    "if (kind > 0) {" * 2000 + "}" * 2000, "return (" * 3000 + "kind == 1" + ")" * 3000 + " ? 1.0 : 2.0;",
+])
+def test_what_is_no_glsl_or_too_deep_is_left_to_the_compiler(body):
+    assert "kind" in shortened(f"{HEAD}{body}\n}}", kind=1)
+
+
+def test_brackets_in_a_condition_are_no_hindrance():
+    assert shortened(HEAD + "if (!(kind == 1 && kind < 3)) a();\nb();\n}", kind=1).endswith("; b(); }")
+
+
 @pytest.mark.parametrize(("calls", "is_known"), [
     ("f(kind)", True), ("f(kind) + g(kind)", True), ("f(2)", False), ("f(kind) + f(2)", False), ("f(kind + 1)", False),
 ])
