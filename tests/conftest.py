@@ -14,6 +14,16 @@ def ctx():
     return context()
 
 
+@pytest.fixture(scope="module")
+def browser():
+    """Chromium for the pages of a file of tests; loaded by those alone."""
+    from tests.browser import CHROMIUM, chromium
+
+    assert CHROMIUM, "CI must have Chromium"
+    with chromium() as found:
+        yield found
+
+
 @pytest.fixture(scope="session")
 def progress_folders(tmp_path_factory):
     return tmp_path_factory.mktemp("progress"), count()

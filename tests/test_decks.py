@@ -9,7 +9,7 @@ import pytest
 from app.catalog import step
 from app.export.web.command import export
 from app.export.web.page import file_of
-from tests.browser import CHROMIUM, chromium, opened
+from tests.browser import CHROMIUM, opened
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
 REVEAL = Path(__file__).with_name("reveal")  # reveal.js 6.0.2, MIT
@@ -41,13 +41,6 @@ def folder(tmp_path_factory):
     for name in ("reveal.js", "reveal.css"):
         shutil.copy(REVEAL / name, found)
     return found
-
-
-@pytest.fixture(scope="module")
-def browser():
-    assert CHROMIUM, "CI must have Chromium"
-    with chromium() as found:
-        yield found
 
 
 def deck(folder, slides: list[str]) -> Path:

@@ -11,7 +11,7 @@ from app.export.web.command import export
 from app.export.web.judged import model_values
 from app.export.web.page import file_of
 from app.state import defaults
-from tests.browser import CHROMIUM, chromium, opened, settle
+from tests.browser import CHROMIUM, opened, settle
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
 JUDGED = [found for found in steps() if found.step.models]
@@ -24,13 +24,6 @@ ASK = """async values => {
     }
     return found;
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    assert CHROMIUM, "CI must have Chromium"
-    with chromium() as found:
-        yield found
 
 
 def states(found) -> list[dict]:

@@ -31,7 +31,7 @@ from app.terms import bound
 from app.terms import evaluate as evaluate_exactly
 from app.theme import THEMES
 from app.tolerance import FACTOR, ratio
-from tests.browser import CHROMIUM, chromium, opened, settle
+from tests.browser import CHROMIUM, opened, settle
 from tests.test_twins import COUNTED, NAIVE
 
 pytestmark = pytest.mark.skipif(not CHROMIUM and not os.environ.get("CI"), reason="needs Chromium")
@@ -76,13 +76,6 @@ FONTS = """() => {
     return {missing: asked.filter(name => !kept.has(name)), set: document.querySelectorAll(".katex-html").length,
             wrong: document.querySelectorAll(".katex-error").length};
 }"""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    assert CHROMIUM, "CI must have Chromium"
-    with chromium() as found:
-        yield found
 
 
 @pytest.fixture(scope="module")
