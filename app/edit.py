@@ -49,7 +49,8 @@ def functions(found: LoadedStep) -> dict[str, Function]:
 
 
 def source_of(found: LoadedStep) -> Source:
-    return Source(found.step.scene, found.file_name, found.glsl_line)
+    choices = tuple(name for name, value in found.values.items() if value.choices)
+    return Source(found.step.scene, found.file_name, found.glsl_line, choices=choices)
 
 
 def functions_of(source: Source, called: Iterable[str] = ()) -> dict[str, Function]:

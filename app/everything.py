@@ -32,9 +32,9 @@ class Yardstick(ScenePrograms):
 
     one_program = True
 
-    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
+    def texts(self, names: tuple[str, ...] | None, known: dict | None = None, plain: bool = False) -> Programs:
         return {name: (vertex, shading() if name in SHADES else fragment)
-                for name, (vertex, fragment) in super().texts(names, known).items()}
+                for name, (vertex, fragment) in super().texts(names, known, plain).items()}
 
 
 class EverythingOn(Stage):

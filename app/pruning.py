@@ -1,8 +1,7 @@
 """GLSL text without the branches that are decided before it is compiled. Pure text; lines keep their numbers.
 
-Known are whole numbers by name: a choice of the scene, the number of the surface. `if` and `? :` whose condition is
-made of them alone are decided; what follows a `return` that is always taken goes too. A function whose parameter has
-such a name knows it where every call hands it on under that name, and a Surface knows its `id`.
+`if` and `? :` whose condition is made of known numbers (app/propagation.py) are decided; what follows a `return` that
+is always taken goes too.
 """
 
 import re
@@ -11,104 +10,85 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 
-from app.shader import PARAMETER, SIGNATURE, Block, block
+from app.brackets import closing, colon, level, opening, parts, upto
+from app.propagation import (
+    BUILT_IN,
+    SURFACE,
+    Known,
+    Numbers,
+    called,
+    constants,
+    gives_away,
+    has_one_number,
+    masked,
+    own,
+    parameters,
+    possible,
+)
+from app.shader import Block, block
 
-TOKEN = re.compile(r"\s*(?:(\w+(?:\.\w+)*)|(&&|\|\||[=!<>]=|[-+*%<>!()]))")
 ENDS = re.compile(r"\s*(?:return\b|discard\b|continue\b|break\b)")
 HEAD = re.compile(r"\s*(if|for|while|switch|do|else)\b")
-WORDS = ("if", "for", "while", "switch", "return", "vec2", "vec3", "vec4", "float", "int")  # no functions
-SURFACE = "Surface"  # the struct whose first member, id, is the number of the surface
-PAIRS = {"(": ")", "[": "]", "{": "}"}
-Known = Mapping[str, int]
+Given = tuple[Numbers | None, ...]
 
 
-def decide(found: list[Block], known: Known) -> list[Block]:
-    """The declarations with `const int NAME = VALUE;` for `uniform int NAME;`, and without what is never run."""
-    within, made = who_knows(tuple(found), frozenset(known)), []
-    for part in found:
-        names = within.get(part, ())
-        values = tuple((name, known["surface" if "." in name else name]) for name in names)
-        made.append(pruned(part, values) if values else part if part.is_function else constant(part, known))
+def decide(found: list[Block], known: Mapping[str, int | Numbers]) -> list[Block]:
+    """The declarations with `const int NAME = VALUE;` for a `uniform int NAME;` of one known number, and without what
+    is never run; `known` is a number, or those it may be.
+
+    Functions are gone through from the last to the first, as each stands behind those it calls: when it is its turn,
+    all that calls it has been shortened already, and what its parameters may be is known."""
+    numbers = {name: one if isinstance(one, frozenset) else frozenset((one,)) for name, one in known.items()}
+    made = [part if part.is_function else constant(part, numbers) for part in found]
+    codes = {i: code for i, part in enumerate(made) if part.is_function and "{" in (code := masked(part))}
+    names = {i: parameters(code)[0] for i, code in codes.items()}
+    times = Counter(names.values())
+    others = (part.words for i, part in enumerate(made) if i not in codes)
+    loose = frozenset[str]().union(*others)  # in macros, or declared ahead: no call is looked for there
+    has_one = has_one_number([code for i, code in codes.items() if SURFACE in made[i].words])
+    of_surface = numbers.get("surface") if has_one else None
+    numbers = constants(made, numbers)
+    lends = BUILT_IN | {names[i] for i in codes if gives_away(codes[i])}
+    entries = {"main"} if "main" in times else times.keys() - {
+        name for code in codes.values() for name, _ in called(code)}
+    given: dict[str, Given] = {}
+    for i in reversed(codes):
+        name = names[i]
+        if name not in given and name not in entries | loose:
+            continue  # nothing calls it
+        is_sure = times[name] == 1 and name not in entries | loose
+        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends)
+        made[i], handed = followed(made[i], tuple(has.items()))
+        for callee, values in handed:
+            given[callee] = either(given[callee], values) if callee in given else values
     return made
+
+
+def either(one: Given, other: Given) -> Given:
+    """What parameters may be when one call gives them this and another that."""
+    return tuple(a and b and a | b for a, b in zip(one, other, strict=True)) if len(one) == len(other) else ()
+
+
+@lru_cache(8192)
+def followed(part: Block, known: tuple[tuple[str, Numbers], ...]) -> tuple[Block, tuple[tuple[str, Given], ...]]:
+    """A function without what is not run, and its calls with what it gives them."""
+    made, numbers = pruned(part, known), dict(known)
+    return made, tuple((name, tuple(possible(one, numbers) for one in given)) for name, given in called(masked(made)))
 
 
 def constant(part: Block, known: Known) -> Block:
     """A uniform on a line of its own as a constant."""
     for i, line in enumerate(part.lines):
         for name in part.names & known.keys():
-            if line.text.startswith(f"uniform int {name};"):
-                text = line.text.replace(f"uniform int {name};", f"const int {name} = {known[name]};", 1)
+            if len(known[name]) == 1 and line.text.startswith(f"uniform int {name};"):
+                text = line.text.replace(f"uniform int {name};", f"const int {name} = {min(known[name])};", 1)
                 return replace(part, lines=(*part.lines[:i], replace(line, text=text), *part.lines[i + 1:]))
     return part
 
 
-# --- who knows what --------------------------------------------------------------------------------------------------
-@lru_cache(256)
-def who_knows(found: tuple[Block, ...], known: frozenset[str]) -> dict[Block, tuple[str, ...]]:
-    """Of each function the known names it uses: those it has as parameters only where all calls hand them on."""
-    codes = {part: masked(part) for part in found if part.is_function and "{" in masked(part)}
-    loose = frozenset[str]().union(*(part.words for part in found if part not in codes))  # no call is looked for there
-    once = {name for name, count in Counter(parameters(code)[0] for code in codes.values()).items() if count == 1}
-    at = {parameters(code)[0]: [arg for _, arg in parameters(code)[1]] for code in codes.values()}
-    taken = {(name, arg) for name in once - loose for arg in at[name] if arg in known}
-
-    def own(code: str) -> set[str]:
-        """What no parameter and no variable of its own hides."""
-        name = parameters(code)[0]
-        return {one for one in known if ((name, one) in taken if one in at[name] else not hides(one, code))}
-
-    hopes = {name for name, _ in taken}
-    calls = [(code, name, given) for code in codes.values() for name, given in called(code) if name in hopes]
-    before: set = set()
-    while before != taken:
-        before = set(taken)
-        for code, name, given in calls:
-            for one in [arg for arg in at[name] if (name, arg) in taken]:
-                value = given[at[name].index(one)] if len(given) == len(at[name]) else ""
-                if value != one or one not in own(code):
-                    taken.discard((name, one))
-    is_own = "surface" in known and not any(re.search(r"\.id\s*=[^=]", code) for code in codes.values()) and all(
-        given[0] == "surface" for code in codes.values() for name, given in called(code) if name == SURFACE)
-    ids = {part: [f"{arg}.id" for kind, arg in parameters(code)[1] if kind == SURFACE and is_own]
-           for part, code in codes.items()}
-    return {part: (*sorted(own(code) & part.words), *ids[part]) for part, code in codes.items()}
-
-
-@lru_cache(4096)
-def parameters(code: str) -> tuple[str, tuple[tuple[str, str], ...]]:
-    """A function's name and its parameters: (type, name)."""
-    match = SIGNATURE.search(code)
-    assert match
-    found = (PARAMETER.fullmatch(part.strip()) for part in match[3].split(","))
-    return match[2], tuple((one[1], one[3]) for one in found if one)
-
-
-@lru_cache(4096)
-def hides(name: str, code: str) -> bool:
-    """Whether a function declares a variable of that name."""
-    body = re.sub(r"\breturn\b", "", code[code.index("{"):])
-    return re.search(rf"\b\w+\s+{name}\s*[=;,\[](?!=)|,\s*{name}\s*=(?!=)", body) is not None
-
-
-@lru_cache(4096)
-def called(code: str) -> tuple[tuple[str, list[str]], ...]:
-    """A function's calls with their arguments as they are written."""
-    begin = code.index("{")
-    return tuple((match[1], [part.strip() for part in parts(code[match.end():closing(code, match.end() - 1)], ",")])
-                 for match in re.compile(r"\b(\w+)\s*\(").finditer(code, begin) if match[1] not in WORDS)
-
-
 # --- a function's text -----------------------------------------------------------------------------------------------
-@lru_cache(2048)
-def masked(part: Block) -> str:
-    """Its text, remarks as blanks of the same length."""
-    lines = [line.text for line in part.lines]
-    code = "\n".join(lines)
-    return re.sub(r"/\*.*?\*/|//[^\n]*", lambda m: re.sub(r"[^\n]", " ", m[0]), code, flags=re.S)
-
-
-@lru_cache(2048)
-def pruned(part: Block, known: tuple[tuple[str, int], ...]) -> Block:
+@lru_cache(8192)
+def pruned(part: Block, known: tuple[tuple[str, Numbers], ...]) -> Block:
     """A function without what is not run at these numbers; what is no GLSL, or too deep, is left for the compiler."""
     code = masked(part)
     text = list(code)
@@ -201,80 +181,11 @@ def ternaries(text: list[str], begin: int, end: int, known: Known) -> None:
 
 def truth(condition: str, known: Known) -> bool | None:
     """Of a condition made of known numbers; of `a && b` and `a || b` one that is known may be enough."""
+    if (found := possible(condition, known)) is not None:
+        one = min(found)
+        return one if len(found) == 1 and isinstance(one, bool) else None
     for sign, enough in (("||", True), ("&&", False)):
-        found = [truth(part, known) for part in split] if len(split := parts(condition, sign)) > 1 else []
-        if found:
-            return enough if enough in found else None if None in found else not enough
-    words, at = [], 0
-    while at < len(condition.rstrip()):
-        token = TOKEN.match(condition, at)
-        if not token:
-            return None
-        word, at = token[1] or token[2], token.end()
-        if token[1] and not word.isdecimal():
-            if word not in known:
-                return None
-            word = str(known[word])
-        words.append({"!": "not", "&&": "and", "||": "or"}.get(word, word))
-    try:
-        found_value = eval(" ".join(words), {"__builtins__": {}}) if words else None  # numbers and signs alone
-    except (SyntaxError, TypeError, ValueError, ArithmeticError, RecursionError, MemoryError):
-        return None  # the compiler's to judge
-    return found_value if isinstance(found_value, bool) else None
-
-
-# --- brackets --------------------------------------------------------------------------------------------------------
-def closing(code: str, at: int) -> int:
-    """Where the bracket that opens there is closed."""
-    depth = 0
-    for match in re.compile(r"[()\[\]{}]").finditer(code, at):
-        depth += 1 if match[0] in PAIRS else -1
-        if depth == 0:
-            return match.start()
-    return len(code)
-
-
-def opening(code: str, at: int) -> int:
-    """Where the innermost bracket around a place was opened."""
-    depth = 0
-    for i in range(at - 1, -1, -1):
-        depth += 1 if code[i] in PAIRS.values() else -1 if code[i] in PAIRS else 0
-        if depth < 0:
-            return i
-    return -1
-
-
-def level(code: str) -> int:
-    return sum(code.count(a) - code.count(b) for a, b in PAIRS.items())
-
-
-def upto(code: str, at: int, signs: str) -> int:
-    """The first of these signs outside brackets, or the bracket that ends it all; `? :` are brackets too."""
-    asked = 0
-    while at < len(code):
-        if code[at] in PAIRS:
-            at = closing(code, at)
-        elif code[at] in PAIRS.values() or (code[at] in signs and not (code[at] == ":" and asked)):
-            return at
-        asked += {"?": 1, ":": -1}.get(code[at], 0)
-        at += 1
-    return at
-
-
-def colon(code: str, at: int) -> int:
-    """The colon of the `?` before a place."""
-    return upto(code, at, ":")
-
-
-def parts(code: str, sign: str) -> list[str]:
-    """The text between such signs outside brackets."""
-    found, begin, at = [], 0, 0
-    while at < len(code):
-        if code[at] in PAIRS:
-            at = closing(code, at)
-        elif code.startswith(sign, at):
-            found.append(code[begin:at])
-            at += len(sign) - 1
-            begin = at + 1
-        at += 1
-    return [*found, code[begin:]]
+        if len(split := parts(condition, sign)) > 1:
+            each = [truth(part, known) for part in split]
+            return enough if enough in each else None if None in each else not enough
+    return None

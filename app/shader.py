@@ -6,9 +6,9 @@ message back to what a person wrote.
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -67,7 +67,7 @@ class Block:
     words: frozenset[str]
     is_function: bool
 
-    @property
+    @cached_property
     def name(self) -> str:
         """Of a function."""
         return min(self.names - {ALWAYS}, default="")
@@ -110,21 +110,22 @@ def read(name: str) -> str:
 
 def resolve(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Line]:
     """The lines of a text with its includes put in, depth first, each file once."""
-    return list(walk(lines_of, Source(text, file, first), overrides or {}))
+    return walk(lines_of, Source(text, file, first), overrides or {})
 
 
 def declarations(text: str, file: str, first: int = 1, overrides: dict[str, Source] | None = None) -> list[Block]:
     """The same as top-level declarations; a file's own are cut once, however many programs include it."""
-    return list(walk(blocks_of, Source(text, file, first), overrides or {}))
+    return walk(blocks_of, Source(text, file, first), overrides or {})
 
 
-def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides: dict[str, Source]) -> Iterator[Any]:
+def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides: dict[str, Source]) -> list[Any]:
     done: set[str] = set()
+    found: list[Any] = []
 
-    def inside(source: Source, path: tuple[str, ...]) -> Iterator[Any]:
+    def inside(source: Source, path: tuple[str, ...]) -> None:
         for part in read_in(source):
             if not isinstance(part, Include):
-                yield part
+                found.append(part)
                 continue
             name, where = part.name, f"{source.file}, line {part.number}"
             if name in path:
@@ -135,10 +136,11 @@ def walk(read_in: Callable[[Source], tuple[Any, ...]], source: Source, overrides
                 inner = overrides.get(name) or Source(read(name), f"glsl/{name}")
             except Problem as problem:
                 raise Problem(f"{where}: {problem}") from None
-            yield from inside(inner, (*path, name))
+            inside(inner, (*path, name))
             done.add(name)
 
-    return inside(source, ())
+    inside(source, ())
+    return found
 
 
 @lru_cache(512)

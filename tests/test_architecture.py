@@ -157,7 +157,7 @@ def test_a_job_loads_only_what_it_needs(tmp_path, code, allowed):
 def test_a_step_leaves_nothing_lying_about(found):
     report = inspect(found)
     assert report.faults == ()
-    assert set(report.attributes) <= {"stage_st", "stage_corner", "stage_position"}
+    assert set(report.attributes) <= {"stage_corner", "stage_position"}
     assert not set(report.functions) & set(report.functions_left_out)
     assert all(one.draws > 0 for one in report.passes)
     assert ("trimesh" in report.packages) == any(surface.mesh for surface in found.step.scene.surfaces)

@@ -227,7 +227,7 @@ def test_inspect_of_all_says_which_steps_decide():
 
 
 # --- the text --------------------------------------------------------------------------------------------------------
-def shortened(text: str, **known: int) -> str:
+def shortened(text: str, **known: int | frozenset[int]) -> str:
     """The code that is left, in one line, its blanks squeezed."""
     made = decide(list(blocks_of(Text(text, "test"))), known)
     assert sum(len(part.lines) for part in made) == text.count("\n") + 1, "lines keep their numbers"
@@ -272,19 +272,61 @@ def test_brackets_in_a_condition_are_no_hindrance():
     assert shortened(HEAD + "if (!(kind == 1 && kind < 3)) a();\nb();\n}", kind=1).endswith("; b(); }")
 
 
-@pytest.mark.parametrize(("calls", "is_known"), [
-    ("f(kind)", True), ("f(kind) + g(kind)", True), ("f(2)", False), ("f(kind) + f(2)", False), ("f(kind + 1)", False),
+@pytest.mark.parametrize(("calls", "left"), [
+    ("f(kind)", "a()"), ("f(kind) + g(kind)", "a()"), ("f(2)", "b()"), ("f(kind + 1)", "b()"), ("f(kind) + f(2)", "?"),
+    ("g(3)", "b()"), ("f(3) + g(2)", "b()"), ("f(unknown)", "?"), ("f(g(1) > 0.0 ? 1 : 2)", "?"),
 ])
-def test_a_parameter_is_known_where_every_call_hands_it_on(calls, is_known):
-    text = ("uniform int kind;\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
-            f"float g(int kind) {{ return f(kind); }}\nfloat h() {{ return {calls}; }}")
-    assert ("b()" not in shortened(text, kind=1)) == is_known
+def test_a_parameter_is_known_by_all_calls_that_are_run(calls, left):
+    text = ("uniform int kind;\nfloat f(int which) { return which == 1 ? a() : b(); }\n"
+            "float g(int kind) { return f(kind); }\nfloat never() { return f(1) + f(2); }\n"
+            f"void main() {{ x = {calls}; }}")
+    body = shortened(text, kind=1).partition("{ return")[2].partition("}")[0]
+    assert left == ("?" if "?" in body else body.strip(" ;"))
 
 
-def test_a_parameter_handed_on_by_one_who_does_not_know_it_is_unknown():
-    text = ("uniform int kind;\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
-            "float g(int kind) { return f(kind); }\nfloat h() { return g(3); }")
-    assert "a() : b()" in shortened(text, kind=1)
+def test_a_call_that_is_not_run_tells_nothing():
+    text = ("uniform int kind;\nfloat f(int which) { return which == 1 ? a() : b(); }\n"
+            "float g() { if (kind == 2) return f(2); return f(1); }\nvoid main() { x = g(); }")
+    assert "b()" not in shortened(text, kind=1) and "b()" in shortened(text, kind=2)
+
+
+@pytest.mark.parametrize(("code", "is_known"), [
+    ("int at = kind % 3, of = kind / 3; if (at == 1 && of == 1) a(); else b();", True),
+    ("const bool is = kind == 4; if (is) a(); else b();", True),
+    ("int at = THREE + 1; if (at == kind) a(); else b();", True),
+    ("int at = kind; at = 2; if (at == 4) a(); else b();", False),
+    ("int at = kind; if (x > 1.0) at += 1; if (at == 4) a(); else b();", False),
+    ("int at = kind; sets(at); if (at == 4) a(); else b();", False),
+    ("int at = kind; y = frexp(x, at); if (at == 4) a(); else b();", False),
+    ("for (int at = kind; at < 9; at++) { if (at == 4) a(); else b(); }", False),
+    ("{ int at = kind; } { int at = 3; if (at == 4) a(); else b(); }", False),
+    ("int at; if (at == 4) a(); else b();", False),
+    ("int at = kind - 9; if (at / 2 == -2) a(); else b();", False),
+    ("int at = unknown; if (at == 4) a(); else b();", False),
+    ("int THREE = 5; if (THREE == 5) a(); else b();", False),
+])
+def test_a_variable_that_is_set_once_is_known(code, is_known):
+    text = ("uniform int kind;\nconst int THREE = 3;\nvoid sets(inout int what) { what = 7; }\n"
+            f"void main() {{ {code} }}")
+    made = shortened(text, kind=4)
+    assert "a();" in made and ("b();" not in made) == is_known
+
+
+@pytest.mark.parametrize(("condition", "left"), [
+    ("surface == 4", "b();"), ("surface % 3 == 0", "a();"), ("surface / 3 == 1", "if"), ("surface < 7", "a();"),
+    ("surface == 3 || surface == 6 || surface == 0", "a();"), ("surface == 0 && x > 1.0", "if"),
+    ("surface == 4 && x > 1.0", "b();"),
+])
+def test_of_some_surfaces_what_holds_for_all_is_decided(condition, left):
+    text = f"uniform int surface;\nvoid main() {{ if ({condition}) a(); else b(); }}"
+    made = shortened(text, surface=frozenset((0, 3, 6)))
+    assert made.startswith("uniform int surface;")
+    assert ("if (" in made) == (left == "if") and left in made
+
+
+def test_a_parameter_that_is_set_is_unknown():
+    text = "uniform int kind;\nfloat f(int k) { k = 2; return k == 1 ? a() : b(); }\nvoid main() { x = f(kind); }"
+    assert "? a() : b()" in shortened(text, kind=1)
 
 
 def test_what_a_macro_calls_is_left_alone():

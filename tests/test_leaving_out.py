@@ -87,7 +87,8 @@ def test_cost_leaves_the_context_as_it_was(ctx):
 def test_a_varying_or_an_attribute_nobody_reads_is_a_fault():
     vertex, fragment = programs(CONE.step.scene)["surface"]
     assert unread("surface", vertex, fragment) == ()
-    idle = replace(vertex, text=vertex.text.replace("in vec2 stage_st;", "in vec2 stage_st;\nin vec3 stage_idle;")
+    more = "in vec3 stage_position;\nin vec3 stage_idle;"
+    idle = replace(vertex, text=vertex.text.replace("in vec3 stage_position;", more)
                    .replace("out vec4 v_value;", "out vec4 v_value;\nout vec2 v_idle;"))
     assert unread("surface", idle, fragment) == ("the attribute stage_idle of the pass surface is not read.",
                                                  "the varying v_idle of the pass surface is not read.")

@@ -75,9 +75,9 @@ def test_what_glsl_counts_is_what_is_told():
 def test_the_courses_own_loops_are_not_counted(ctx):
     """But for an edited function the text of a step is the course's, also in the file that the function stands in."""
     stage = Stage(ctx, edit.source_of(step(STEP)))
-    assert not stage.own.watched
+    assert not stage.own.made.watched
     stage.rewrite(edits(edit.functions(step(STEP))["d_beckmann"].text + "\n"))
-    assert not stage.own.watched and stage.source.overrides
+    assert not stage.own.made.watched and stage.source.overrides
     stage.release()
 
 
@@ -131,7 +131,7 @@ def test_a_loop_of_a_thousand_steps_changes_nothing(ctx):
         stage.rewrite(one, lambda: watch(stage, values, camera))
         stage.draw(values, camera, (96, 64), THEMES["dark"], fine=False)
         pictures.append(stage.picture.pixels())
-    assert stage.own.watched and np.array_equal(*pictures)
+    assert stage.own.made.watched and np.array_equal(*pictures)
     stage.release()
 
 

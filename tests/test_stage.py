@@ -53,7 +53,7 @@ def test_a_fine_picture_differs_at_edges_only(ctx):
 
 
 def test_many_surfaces_share_a_program_until_each_has_its_own_and_look_the_same(ctx):
-    """As in a window: one at a time; a text that is edited is shared by all again."""
+    """As in a window: one at a time; a text that is edited is shared by all again. One looks through its own."""
     glsl = TWO_SPHERES.replace("surface == 0 ? vec3(0.0) : vec3(0.6, 0.1, 0.3)", "0.25 * vec3(surface, surface % 3, 0)")
     glsl = glsl.replace("s.id == 0 ? vec3(0.1, 0.2, 0.3) : vec3(7.0, 0.4, 0.0)", "vec3(0.1 * float(s.id), 0.3, 0.2)")
     surfaces = tuple(Surface(f"{i}", cells=(24, 12), opacity=0.5 if i == MANY else 1.0) for i in range(MANY + 2))
@@ -66,13 +66,13 @@ def test_many_surfaces_share_a_program_until_each_has_its_own_and_look_the_same(
         return rounds
 
     before = picture(stage, values, SIDE, fine=True)
-    assert settled() == MANY + 2 == len({stage.programs[f"surface {i}"].glo for i in range(MANY + 2)})
+    assert settled() == MANY + 1 and len({stage.programs[f"surface {i}"].glo for i in range(MANY + 2)}) == MANY + 2
     np.testing.assert_array_equal(stage.picture.pixels(), before)
     np.testing.assert_array_equal(picture(stage, values, SIDE, fine=True), before)
-    stage.rewrite((("scene", shader.Source(glsl.replace("0.3, 0.2", "0.1, 0.2"), "your scene")),))
+    stage.rewrite((("scene", shader.Source(glsl.replace("0.3, 0.2", "0.1, 0.2"), "your scene", is_own=True)),))
     after = picture(stage, values, SIDE, fine=True)
-    assert set(stage.programs) == {"surface"} and (after != before).any()
-    assert settled() == MANY + 2
+    assert set(stage.programs) == {"typed vertices, pixels", f"surface {MANY}"} and (after != before).any()
+    assert settled() == MANY + 1
     np.testing.assert_array_equal(picture(stage, values, SIDE, fine=True), after)
 
 

@@ -50,7 +50,8 @@ def raw(stage: Stage, values: dict, camera: Camera, theme: Theme, size: tuple[in
     ctx = stage.ctx
     with ctx:
         stage.decide(values)
-        stage.own.compile(tuple(name for name in names if name not in stage.programs))
+        for name in names:
+            stage.own.add(name)
         parts = [ctx.renderbuffer(size, 4, dtype="f4") for _ in range(3)]
         parts.append(ctx.depth_renderbuffer(size))
         target, before = ctx.framebuffer(parts[:3], parts[3]), ctx.fbo

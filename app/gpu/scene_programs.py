@@ -1,21 +1,28 @@
-"""A scene's programs: of its texts as they stand, for what the scene decides at the values now."""
+"""A scene's programs: of its texts as they stand, for what is decided at the values now."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import moderngl
 
 from app import loops
 from app.gpu.context import program
-from app.gpu.stage_text import Programs, Source, is_made_of, needed, programs, typed_alone
+from app.gpu.stage_text import KINDS, Pair, Programs, Source, needed, programs, reads, typed_alone, typed_in
 from app.gpu.uniforms import on_gpu
 from app.lesson import Surface
-from app.shader import Assembled, Overrides
+from app.shader import Overrides
 
 KEPT = 4  # choices whose programs are kept beside the present one's: of one scene they may take 10 MB each
 MANY = 8  # surfaces for which each is worth a program of its own: they are compiled before the first picture
-Pair = tuple[Assembled, Assembled | None]
-Made = tuple[dict[str, moderngl.Program], Programs]  # programs, and the texts of those with a loop of the user's
+
+
+@dataclass(frozen=True)
+class Made:
+    """Programs by what they are called, the texts of those with a loop of the user's, what draws each surface."""
+
+    programs: dict[str, moderngl.Program] = field(default_factory=dict)
+    watched: Programs = field(default_factory=dict)
+    drawn_by: dict[int, str] = field(default_factory=dict)
 
 
 class ScenePrograms:
@@ -25,113 +32,170 @@ class ScenePrograms:
         """`forget` is told what is about to be released."""
         self.ctx, self.source, self.scene = ctx, source, source.scene
         self.forget = forget
-        self.now: dict[str, moderngl.Program] = {}
-        self.watched: Programs = {}
+        self.made = Made()
         self.others: dict[tuple[int, ...], Made] = {}  # of other choices, the latest last
         self.passing: dict = {}  # made for edited texts and for later choices: released with the stage
-        self.choice = dict.fromkeys(self.scene.decided, 0)  # what `now` is compiled for
-        self.choice |= self.chosen(values)
-        self.compile(None)
+        self.seen = dict.fromkeys((*self.scene.decided, *reads(source)), 0)  # choices as they are now
+        self.plain: dict[tuple, Pair] = {}  # texts of the scene as it is written
+        self.typed: dict[tuple, tuple[str, ...]] = {}
+        self.see(values)
+        self.compile()
 
     # --- choices ---------------------------------------------------------------------------------------------------
-    def chosen(self, values: dict) -> dict[str, int]:
-        """Of these values what the scene decides; what they do not have stays."""
+    @property
+    def decided(self) -> dict[str, int]:
+        """Of the choices now what the scene decides."""
+        return {name: self.seen[name] for name in self.scene.decided}
+
+    @property
+    def choice(self) -> dict[str, int]:
+        """What its programs are compiled for: of a text that is being edited for every choice. The less is left of
+        it, the sooner it is compiled, and compiled it is at every key."""
+        return self.seen if self.source.overrides else self.decided
+
+    def see(self, values: dict) -> None:
+        """What these values choose; what they do not have stays."""
         values = on_gpu(self.scene, values)
-        return {name: int(values.get(name, now)) for name, now in self.choice.items()}
+        self.seen = {name: int(values.get(name, now)) for name, now in self.seen.items()}
 
     def decide(self, values: dict) -> bool:
         """Whether there are others for what is chosen now: compiled when it is chosen first, found again later."""
-        choice = self.chosen(values)
-        if choice == self.choice:
+        before = tuple(self.choice.values())
+        self.see(values)
+        now = tuple(self.choice.values())
+        if now == before:
             return False
-        before, self.choice = self.choice, choice
-        self.others[tuple(before.values())] = self.now, self.watched
-        seen = tuple(choice.values())
-        if seen in self.others:
-            self.now, self.watched = self.others.pop(seen)
+        self.others[before] = self.made
+        if now in self.others:
+            self.made = self.others.pop(now)
         else:
-            self.compile(None)
+            self.compile()
         if len(self.others) > KEPT:
             self.others.pop(next(iter(self.others)))
         self.let_go()
         return True
 
-    def one_more(self) -> bool:
-        """Where surfaces share a program, one of them gets its own. False: there is none left."""
-        for i, surface in enumerate(self.scene.surfaces):
-            use = program_of(surface)
-            if use in self.now and f"{use} {i}" not in self.now:
-                own, watched = self.made({f"{use} {i}": self.text(use, surface=i)})
-                self.now, self.watched = self.now | own, self.watched | watched
-                return True
-        return False
-
     # --- texts -----------------------------------------------------------------------------------------------------
     def rewrite(self, overrides: Overrides, trial: Callable[[], None]) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
         what was there before goes on. Programs without these texts are found again, not compiled."""
-        before, runs = (self.source, self.now, self.watched, self.others), False
+        before, runs = (self.source, self.made, self.others), False
         self.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
                 if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
                     program(self.ctx, *typed, (), self.passing)
-                self.compile(None)
+                self.compile()
             trial()
             runs = True
         finally:
             if not runs:
-                self.source, self.now, self.watched, self.others = before
+                self.source, self.made, self.others = before
             with self.ctx:
                 self.let_go()
 
-    def texts(self, names: tuple[str, ...] | None, known: dict[str, int] | None = None) -> Programs:
-        """What is compiled, for the values that are `known`."""
+    def texts(self, names: tuple[str, ...] | None, known: dict | None = None, plain: bool = False) -> Programs:
+        """What is compiled, for what is `known`; `plain`, as the scene is written."""
         source = self.source
-        return programs(self.scene, source.file, source.first, names=names, overrides=source.overrides, known=known,
-                        watched=True)
+        return programs(self.scene, source.file, source.first, names=names, known=known, watched=True,
+                        overrides=() if plain else source.overrides)
 
-    def text(self, name: str, **known: int) -> Pair:
-        return self.texts((name,), self.choice | known)[name]
+    def pair(self, name: str, surfaces: tuple[int, ...] = ()) -> Pair:
+        """The texts of a program; of one that draws some surfaces alone their numbers are known."""
+        number = {"surface": frozenset(surfaces)} if surfaces else {}
+        if any(self.typed_in(name, i) for i in surfaces or (None,)):
+            return self.texts((name,), self.choice | number)[name]
+        key = name, surfaces, *self.decided.values()
+        if key not in self.plain:
+            self.plain[key] = self.texts((name,), self.decided | number, plain=True)[name]
+        return self.plain[key]
+
+    def typed_in(self, name: str, surface: int | None) -> tuple[str, ...]:
+        """Where a program, or that of one surface, runs a text that is being edited. What leads to that text does not
+        change while it is typed, so the answer stays; a directive in it may reach everything."""
+        overrides = self.source.overrides
+        if not overrides:
+            return ()
+        key = name, surface, *self.choice.values(), *(one for one, _ in overrides)
+        if key not in self.typed or any("#" in text.text for _, text in overrides if text.is_own):
+            known = self.choice | ({} if surface is None else {"surface": surface})
+            self.typed[key] = typed_in(self.texts((name,), known)[name], overrides)
+        return self.typed[key]
 
     # --- programs --------------------------------------------------------------------------------------------------
-    def compile(self, names: tuple[str, ...] | None) -> None:
-        """The named programs, or anew all that the scene has work for."""
-        wanted = [self.wanted(name) for name in (needed(self.scene) if names is None else names)]
-        found, watched = self.made({called: pair for each in wanted for called, pair in each.items()})
-        self.now, self.watched = (found, watched) if names is None else (self.now | found, self.watched)
+    def compile(self) -> None:
+        """All that the scene has work for."""
+        wanted = {name: self.pair(name) for name in needed(self.scene) if name not in KINDS}
+        drawn_by: dict[int, str] = {}
+        for called, surfaces in self.shared().items():
+            kinds = {program_of(self.scene.surfaces[i]) for i in surfaces}
+            wanted[called] = self.pair(kinds.pop() if len(kinds) == 1 else "either",
+                                       () if self.one_program else surfaces)
+            drawn_by |= dict.fromkeys(surfaces, called)
+        self.made = self.of(wanted, drawn_by)
 
-    def wanted(self, name: str) -> Programs:
-        """The texts of the programs of that kind, by what each is called: one, or one for each surface.
+    def add(self, name: str) -> None:
+        """One more kind of program, for all surfaces."""
+        if name not in self.made.programs:
+            self.made.programs.update(self.of({name: self.pair(name)}, {}).programs)
 
-        Its number is a constant then: a CPU (llvmpipe) runs both sides of every branch that stays, and so what the
-        scene does for other surfaces would make its frames up to twice as slow. Of a text that is being edited no
-        more than one program of a kind is compiled: a hand that types waits for it."""
-        if name not in ("surface", "mesh") or self.one_program or len(self.scene.surfaces) > MANY:
-            return {name: self.text(name)}
-        each = {f"{name} {i}": self.text(name, surface=i) for i, surface in enumerate(self.scene.surfaces)
-                if program_of(surface) == name}
-        mine = [called for called, pair in each.items() if is_made_of(pair, self.source.overrides)]
-        if len(mine) < 2:
-            return each
-        return {called: pair for called, pair in each.items() if called not in mine} | {name: self.text(name)}
+    def shared(self) -> dict[str, tuple[int, ...]]:
+        """Which surfaces share a program, by what it is called.
 
-    def made(self, wanted: Programs) -> Made:
-        found: dict[str, moderngl.Program] = {}
-        watched: Programs = {}
+        Where they are few each has its own, with its number as a constant: a CPU (llvmpipe) runs both sides of every
+        branch that stays, and so what the scene does for other surfaces would make its frames up to twice as slow. Of
+        a text that is being edited as little as possible is compiled, as a hand that types waits for it: one program
+        for all surfaces that run it at their corners, and one for those that run it at their pixels. These are solid
+        ones alone or ones that one looks through, for a program is compiled anew for the other way of drawing."""
+        found: dict[str, tuple[int, ...]] = {}
+        for i, surface in enumerate(self.scene.surfaces):
+            kind = called = program_of(surface)
+            if not self.is_shown(surface):
+                continue
+            if not self.one_program:
+                glass, typed = " glass" * (surface.opacity < 1), self.typed_in(kind, i)
+                is_few = len(self.scene.surfaces) <= MANY or (self.source.overrides and self.has_own(i))
+                called = f"{kind} {i}" if is_few else kind + glass
+                if typed:
+                    called = f"typed {', '.join(typed)}{glass * ('pixels' in typed)}"
+            found[called] = *found.get(called, ()), i
+        return {f"{program_of(self.scene.surfaces[which[0]])} {which[0]}" if len(which) == 1 and not self.one_program
+                else called: which for called, which in found.items()}
+
+    def is_shown(self, surface: Surface) -> bool:
+        """Whether it is drawn at what is decided now."""
+        name, number = surface.where or ("", 0)
+        return self.choice.get(name, number) == number
+
+    def has_own(self, i: int) -> bool:
+        return self.made.drawn_by.get(i) == f"{program_of(self.scene.surfaces[i])} {i}"
+
+    def one_more(self) -> bool:
+        """Where surfaces share a program, one of them gets its own. False: there is none left."""
+        for i in () if self.one_program else self.made.drawn_by:
+            if not self.has_own(i):
+                own = f"{program_of(self.scene.surfaces[i])} {i}"
+                more = self.of({own: self.pair(program_of(self.scene.surfaces[i]), (i,))}, {i: own})
+                self.made = Made(self.made.programs | more.programs, self.made.watched | more.watched,
+                                 self.made.drawn_by | more.drawn_by)
+                return True
+        return False
+
+    def of(self, wanted: Programs, drawn_by: dict[int, str]) -> Made:
+        """The programs of these texts."""
+        made = Made(drawn_by=drawn_by)
         passing = self.passing if self.source.overrides or self.others else None
         for called, pair in wanted.items():
             vertex, fragment = pair
             if has_loops(pair):
-                watched[called] = pair
-            values = () if fragment else ("value", "v_endless") if called in watched else ("value",)
-            found[called] = program(self.ctx, vertex, fragment, values, passing)
-        return found, watched
+                made.watched[called] = pair
+            values = () if fragment else ("value", "v_endless") if called in made.watched else ("value",)
+            made.programs[called] = program(self.ctx, vertex, fragment, values, passing)
+        return made
 
     def let_go(self) -> None:
         """Release the programs of its own that nothing here draws with."""
-        kept = (self.now, *(made for made, _ in self.others.values()))
-        used = {use for made in kept for use in made.values()}
+        used = {use for made in (self.made, *self.others.values()) for use in made.programs.values()}
         for key in [key for key, use in self.passing.items() if use not in used]:
             gone = self.passing.pop(key)
             self.forget(gone)

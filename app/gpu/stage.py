@@ -45,7 +45,7 @@ class Stage:
 
     @property
     def programs(self) -> dict[str, moderngl.Program]:
-        return self.own.now
+        return self.own.made.programs
 
     def rewrite(self, overrides: Overrides, trial: Callable[[], None] = lambda: None) -> None:
         """Other texts in the scene, where they compile and pass the `trial`; else a Problem, and all is as before."""
@@ -76,7 +76,7 @@ class Stage:
         self.release_geometry()
         for i, surface in enumerate(self.scene.surfaces):
             if not surface.mesh:
-                self.keep(f"surface {i}", "2f", "stage_st", *grid(surface.cells))
+                self.keep(f"surface {i}", "3f", "stage_position", *grid(surface.cells))
             elif triangles is not None:
                 self.keep(f"surface {i}", "3f", "stage_position", np.ascontiguousarray(triangles, "f4"))
                 self.hold("triangles", triangles)
@@ -186,10 +186,8 @@ class Stage:
         ctx.enable_only(moderngl.NOTHING)
 
     def drawn_by(self, i: int, suffix: str = "") -> str:
-        """The program of a surface: its own, or the one it shares."""
-        kind = program_of(self.scene.surfaces[i])
-        own = f"{kind} {suffix or i}"
-        return own if own in self.programs else kind
+        """The program of a surface: its own, or the one it shares; all share one of another kind, by its suffix."""
+        return f"{program_of(self.scene.surfaces[i])} {suffix}" if suffix else self.own.made.drawn_by[i]
 
     def paint_surface(self, i: int, suffix: str = "") -> None:
         surface = self.scene.surfaces[i]
@@ -197,7 +195,7 @@ class Stage:
             return
         name = self.drawn_by(i, suffix)
         self.bind_data(self.programs[name])
-        give(self.programs[name], surface=i, opacity=surface.opacity)
+        give(self.programs[name], surface=i, is_mesh=int(surface.mesh), opacity=surface.opacity)
         array = self.array(name, f"surface {i}")
         if not surface.mesh or surface.opacity < 1:
             array.render()
@@ -252,7 +250,7 @@ class Stage:
             self.take_tables(given)
             self.bind_data(use)
             give(use, **on_gpu(self.scene, given))
-            width = 4 + (name in self.own.watched)
+            width = 4 + (name in self.own.made.watched)
             before, out = self.ctx.fbo, self.ctx.buffer(reserve=4 * width * count)
             pixel(self.ctx).use()
             self.array(name).transform(out, moderngl.POINTS, count)
@@ -260,7 +258,7 @@ class Stage:
             answer = np.frombuffer(out.read(), "f4").reshape(count, width)
             out.release()
             if lines := answer[:, 4:].copy().view("i4").max(initial=0):
-                raise endless(int(lines), self.own.watched[name][0])
+                raise endless(int(lines), self.own.made.watched[name][0])
             return answer[:, :4].astype(float)
 
     # --- the end ---------------------------------------------------------------------------------------------------

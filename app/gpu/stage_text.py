@@ -19,22 +19,27 @@ COLOURS: tuple[str, ...] = get_args(Colour)  # in the order of glsl/display/pale
 LINES = ("solid", "dashed", "dotted", "dashdot")
 TIPS = ("none", "arrow", "sun", "eye", "dot")
 TIP_SIZE = {"none": 0.0, "arrow": 7.0, "sun": 6.5, "eye": 6.5, "dot": 4.0}  # times the line's width
+SHADED = ("", "stage/surface.vert"), ("stage/surface.glsl", "stage/shade.frag")
+VALUES = ("", "stage/surface.vert"), ("stage/surface.glsl", "stage/values.frag")
 PARTS = {  # program -> (its vertex text, its fragment text) around the scene's own text
-    "surface": (("", "stage/surface.vert"), ("stage/surface.glsl", "stage/shade.frag")),
-    "mesh": (("", "stage/mesh.vert"), ("stage/surface.glsl", "stage/shade.frag")),
-    "surface values": (("", "stage/surface.vert"), ("stage/surface.glsl", "stage/values.frag")),
-    "mesh values": (("", "stage/mesh.vert"), ("stage/surface.glsl", "stage/values.frag")),
+    "surface": SHADED, "mesh": SHADED, "either": SHADED, "surface values": VALUES, "mesh values": VALUES,
     "dots": (("", "stage/dots.vert"), ("", "stage/dots.frag")),
     "mark": (("", "stage/mark.vert"), ("", "stage/mark.frag")),
     "probe": (("", "stage/probe.vert"), None),
     "anchor": (("", "stage/anchor.vert"), None),
 }
-OPTIONAL = {  # what a scene may define: text -> (the function, what stands in for it)
-    "stage/surface.vert": ("vec4 surface_value", "stage/no_value.glsl"),
-    "stage/mesh.vert": ("vec4 mesh_value", "stage/no_value.glsl"),
-    "stage/values.frag": ("vec3 shading_normal", "stage/no_normal.glsl"),
+KINDS = {"surface": 0, "mesh": 1}  # of surfaces -> is_mesh in their programs; "either" draws both
+OPTIONAL = {  # what a scene may define: text -> the functions, and what stands in for them
+    "stage/surface.vert": {
+        "vec3 surface_point": "(int surface, vec2 s) { return vec3(s, 0.0); }",
+        "vec4 surface_value": "(int surface, vec2 s) { return vec4(0.0); }",
+        "vec3 mesh_point": "(int surface, vec3 p) { return p; }",
+        "vec4 mesh_value": "(int surface, vec3 p, int face) { return vec4(0.0); }",
+    },
+    "stage/values.frag": {"vec3 shading_normal": "(Surface s) { return s.normal; }"},
 }
-Programs = dict[str, tuple[shader.Assembled, shader.Assembled | None]]
+Pair = tuple[shader.Assembled, shader.Assembled | None]
+Programs = dict[str, Pair]
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,7 @@ class Source:
     file: str = "scene"
     first: int = 1
     overrides: shader.Overrides = ()  # what is included in place of the course's texts
+    choices: tuple[str, ...] = ()  # of the step
 
 
 def needed(scene: Scene) -> tuple[str, ...]:
@@ -58,30 +64,32 @@ def needed(scene: Scene) -> tuple[str, ...]:
 
 def programs(scene: Scene, file: str = "scene", first: int = 1, header: tuple[str, ...] = shader.DESKTOP,
              names: tuple[str, ...] | None = None, overrides: shader.Overrides = (),
-             known: Mapping[str, int] | None = None, watched: bool = False) -> Programs:
+             known: Mapping[str, int | frozenset[int]] | None = None, watched: bool = False) -> Programs:
     """name -> (vertex, fragment or None) for every program the scene needs (or the named ones); `watched` ones tell
     which loop of a user's text was left.
 
-    Whole values that are `known` are no uniforms but constants, and what is not chosen is left out."""
-    shorten = partial(decide, known=known) if known else None
+    Whole values that are `known` are no uniforms but constants, and what is not chosen is left out; of one that may
+    be several numbers they are known."""
     own = included(scene, file, first, overrides)
 
-    def text(part: tuple[str, str], watch: str = "") -> shader.Assembled:
+    def text(part: tuple[str, str], known: dict, watch: str = "") -> shader.Assembled:
         before, after = part
         lines = [f'#include "{before}"' if before else "", '#include "scene"', f'#include "{after}"']
-        function, otherwise = OPTIONAL.get(after, ("", ""))
-        if function and not re.search(rf"^{function}\(", scene.glsl, re.MULTILINE):
-            lines.insert(1, f'#include "{otherwise}"')
+        lines[1:1] = [function + otherwise for function, otherwise in OPTIONAL.get(after, {}).items()
+                      if not re.search(rf"^{function}\(", scene.glsl, re.MULTILINE)]
         if watch:
             lines = ["#define main stage_main", *lines, "#undef main", f'#include "stage/watched.{watch}"']
-        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own, shorten=shorten)
+        return shader.assemble("\n".join(lines), "the stage", header=header, overrides=own,
+                               shorten=partial(decide, known=known) if known else None)
 
     found: Programs = {}
     for name in needed(scene) if names is None else names:
         vertex, fragment = PARTS[name]
-        found[name] = text(vertex), text(fragment) if fragment else None
+        kind = {"is_mesh": KINDS[name.split()[0]]} if name.split()[0] in KINDS else {}
+        fixed = {**(known or {}), **kind}
+        found[name] = text(vertex, fixed), text(fragment, fixed) if fragment else None
         if watched and not name.endswith("values") and any(part and loops.COUNT in part.text for part in found[name]):
-            found[name] = text(vertex, "vert"), text(fragment, "frag") if fragment else None
+            found[name] = text(vertex, fixed, "vert"), text(fragment, fixed, "frag") if fragment else None
     return found
 
 
@@ -104,10 +112,19 @@ def typed_alone(source: Source) -> tuple[shader.Assembled, shader.Assembled] | N
             shader.assemble(text, "the stage", entry=("main", *names), overrides=own))
 
 
-def is_made_of(pair: tuple[shader.Assembled, shader.Assembled | None], overrides: shader.Overrides) -> bool:
-    """Whether one of the texts that are being typed is part of a program."""
+def reads(source: Source) -> tuple[str, ...]:
+    """The step's choices that its scene's text has as uniforms."""
+    lines = shader.resolve(source.scene.glsl, source.file, source.first,
+                           included(source.scene, source.file, source.first, ())) if source.choices else []
+    kinds = shader.uniforms("\n".join(line.text for line in lines))
+    return tuple(name for name in source.choices if kinds.get(name) == "int")
+
+
+def typed_in(pair: Pair, overrides: shader.Overrides) -> tuple[str, ...]:
+    """Which of a program's texts one that is being edited is part of."""
     typed = {text.file for _, text in overrides if text.is_own}
-    return any(not typed.isdisjoint(part.files) for part in pair if part)
+    return tuple(name for name, part in zip(("vertices", "pixels"), pair, strict=True)
+                 if part and not typed.isdisjoint(part.files))
 
 
 @cache
@@ -126,11 +143,11 @@ def mark_uniforms(which: int, mark: Mark) -> dict[str, int]:
 
 
 def grid(cells: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """Corners (n, 2) of a grid over the unit square, float32, and triangle indices, int32."""
+    """Corners (n, 3) of a grid over the unit square of the plane z = 0, float32, and triangle indices, int32."""
     s, t = np.meshgrid(np.linspace(0, 1, cells[0] + 1), np.linspace(0, 1, cells[1] + 1))
     at = np.arange(s.size, dtype=np.int32).reshape(s.shape)
     a, b, c, d = at[:-1, :-1], at[:-1, 1:], at[1:, 1:], at[1:, :-1]
-    return np.stack([s, t], -1).reshape(-1, 2).astype("f4"), np.stack([a, b, c, a, c, d], -1).reshape(-1)
+    return np.stack([s, t, 0 * s], -1).reshape(-1, 3).astype("f4"), np.stack([a, b, c, a, c, d], -1).reshape(-1)
 
 
 def pen(segments: int, tip: bool) -> tuple[np.ndarray, np.ndarray]:

@@ -20,7 +20,7 @@ def watch(stage: Stage, values: dict, camera: Camera) -> None:
     ctx, scene = stage.ctx, stage.scene
     with ctx:
         stage.decide(values)
-    if not stage.own.watched:
+    if not stage.own.made.watched:
         return
     given = {"view_projection": orbit.view_projection(camera, SIZE[0] / SIZE[1]).T.astype("f4").tobytes(),
              "viewport": SIZE, "camera_position": tuple(orbit.position(camera)), "dot_size": 1.0}
@@ -34,19 +34,19 @@ def watch(stage: Stage, values: dict, camera: Camera) -> None:
         ctx.enable_only(moderngl.BLEND | moderngl.PROGRAM_POINT_SIZE)
         ctx.blend_equation = cast(Any, moderngl.MAX)  # the picture is of one program: the last line in its text is told
         try:
-            for name, pair in stage.own.watched.items():
+            for name, pair in stage.own.made.watched.items():
                 target.clear()
-                for i in range(len(scene.surfaces)):
-                    if stage.drawn_by(i) == name:
+                for i, called in stage.own.made.drawn_by.items():
+                    if called == name:
                         stage.paint_surface(i)
                 if name == "dots":
                     stage.paint_dots(values)
                 for i, mark in enumerate(scene.marks if name == "mark" else ()):
                     stage.paint_mark(i, mark)
                 told(np.frombuffer(target.read(components=4, attachment=2, dtype="f4"), "f4"), pair)
-            if "probe" in stage.own.watched:
+            if "probe" in stage.own.made.watched:
                 stage.probes(values)
-            if "anchor" in stage.own.watched:
+            if "anchor" in stage.own.made.watched:
                 stage.anchors(values)
         finally:
             ctx.blend_equation = cast(Any, moderngl.FUNC_ADD)

@@ -9,7 +9,11 @@
 //     vec3 reflected(int which, vec3 n, vec3 l, vec3 v, vec3 x, vec3 y)    // 1/sr
 //     vec3 factors(int which, vec3 n, vec3 l, vec3 v)                      // D, G, F; below 0 where there are none
 uniform float theta_l, theta_v, phi, turned, light, lobe_top;
-uniform int model, shows, stands, board_channel, lobe_scale;
+uniform int model;
+uniform int shows;
+uniform int stands;
+uniform int board_channel;
+uniform int lobe_scale;
 
 const vec3 UP = vec3(0.0, 0.0, 1.0);
 const float LARGE = 0.84, SMALL = 0.22, PLATE = 0.95, LOBE = 1.35, STANDING = 0.8, LONGEST = 1.3;
@@ -55,22 +59,25 @@ float lobe_length(float value) {
     return min(lobe_radius(abs(value), lobe_top, lobe_scale == 2 ? 4.0 : 0.0), LONGEST);
 }
 
-vec3 board_point(int surface, vec2 s) {
-    int which = surface % MODELS, kind = surface / MODELS;
-    if (kind == BALL) return cap_to_eye(s, ball_at(which), ball_size(which));
-    bool gone = stands == 1 && kind != LOBE_ON_BALL;
-    if (kind == GROUND) return plate() + (gone ? 0.0 : PLATE * s.y) * vec3(cos(2.0 * PI * s.x), sin(2.0 * PI * s.x), -0.001);
-    vec3 d = lobe_way(s);
-    d *= lobe_length(lobe_value(which, d));
-    if (kind == LOBE_ON_BALL) return foot() + STANDING * picked_frame(theta_v, turned) * d;
-    return plate() + (gone ? 0.0 : LOBE) * d;
-}
+vec4 corner; // of a lobe: its way and the value there, found once: a corner's value is asked for before its place
 
 vec4 board_value(int surface, vec2 s) {
     int kind = surface / MODELS;
     if (kind == BALL) return vec4(lamp(), 0.0);
     if (kind == GROUND) return vec4(0.0);
-    return vec4(0.0, 0.0, 0.0, lobe_value(surface % MODELS, lobe_way(s)));
+    vec3 d = lobe_way(s);
+    corner = vec4(d, lobe_value(surface % MODELS, d));
+    return vec4(0.0, 0.0, 0.0, corner.w);
+}
+
+vec3 board_point(int surface, vec2 s) {
+    int which = surface % MODELS, kind = surface / MODELS;
+    if (kind == BALL) return cap_to_eye(s, ball_at(which), ball_size(which));
+    bool gone = stands == 1 && kind != LOBE_ON_BALL;
+    if (kind == GROUND) return plate() + (gone ? 0.0 : PLATE * s.y) * vec3(cos(2.0 * PI * s.x), sin(2.0 * PI * s.x), -0.001);
+    vec3 d = corner.xyz * lobe_length(corner.w);
+    if (kind == LOBE_ON_BALL) return foot() + STANDING * picked_frame(theta_v, turned) * d;
+    return plate() + (gone ? 0.0 : LOBE) * d;
 }
 
 vec3 board_mesh(int surface, vec3 p) {
@@ -114,8 +121,7 @@ vec3 board_colour(Surface s) {
     int which = s.id % MODELS, kind = s.id / MODELS;
     if (kind == GROUND) return mix(background, palette[COLOUR_QUIET], 0.22 + 0.3 * grid_lines(s.st, vec2(12.0, 4.0)));
     if (kind >= LOBE_ON_PLATE) {
-        if (isnan(s.value.w)) return fault_colour(vec3(1.0, 0.0, 0.0), gl_FragCoord.xy);
-        if (s.value.w < 0.0) return fault_colour(vec3(0.0, 0.0, 1.0), gl_FragCoord.xy);
+        if (!(s.value.w >= 0.0)) return fault_colour(vec3(isnan(s.value.w) ? 1.0 : 0.0, 0.0, 1.0), gl_FragCoord.xy);
         vec3 body = soft_light(palette[model_colour(which)], s.normal, s.v);
         return mix(body, background, 0.3 * grid_lines(s.st, vec2(24.0, 12.0)));
     }

@@ -2,7 +2,7 @@
 
 const HOW = {antialias: false}; // soft edges are ours, so that a moving picture can do without
 const NO_PIXELS = "#version 300 es\nprecision highp float;\nvoid main() {}\n";
-const CORNERS = ["stage_position", "stage_st", "stage_corner"]; // what programs of the stage read, all at place 0
+const CORNERS = ["stage_position", "stage_corner"]; // what programs of the stage read, all at place 0
 const WIDTH = {int: 1, float: 1, vec2: 2, vec3: 3, vec4: 4};
 
 class Gpu {
