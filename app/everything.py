@@ -7,6 +7,7 @@ import numpy as np
 
 from app import shader
 from app.gpu.scene_programs import ScenePrograms
+from app.gpu.scene_texts import SceneTexts
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Programs, programs
 from app.lesson import Scene
@@ -27,14 +28,17 @@ MAP = np.random.default_rng(1).integers(60, 256, (64, 64, 4)).astype(np.uint8)  
 SHADES = ("surface", "mesh")  # the programs that colour surfaces
 
 
+class Texts(SceneTexts):
+    def programs(self, names: tuple[str, ...] | None, known: dict | None = None, plain: bool = False) -> Programs:
+        return {name: (vertex, shading() if name in SHADES else fragment)
+                for name, (vertex, fragment) in super().programs(names, known, plain).items()}
+
+
 class Yardstick(ScenePrograms):
     """Surfaces are coloured by the yardstick: one program for all of them, so it is compiled once."""
 
+    kind_of_texts = Texts
     one_program = True
-
-    def texts(self, names: tuple[str, ...] | None, known: dict | None = None, plain: bool = False) -> Programs:
-        return {name: (vertex, shading() if name in SHADES else fragment)
-                for name, (vertex, fragment) in super().texts(names, known, plain).items()}
 
 
 class EverythingOn(Stage):

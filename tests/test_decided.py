@@ -20,9 +20,6 @@ from app.inspection import words as inspected
 from app.lesson import Value
 from app.maps import OwnMap
 from app.problem import Problem
-from app.pruning import decide
-from app.shader import Source as Text
-from app.shader import blocks_of
 from app.state import defaults
 from app.theme import THEMES
 from app.validation import faults
@@ -40,6 +37,12 @@ def whole(found) -> dict:
 def on_stage(found, values, ctx, **changes) -> Stage:
     scene = replace(found.step.scene, **changes)
     return Stage(ctx, Source(scene, found.file_name, found.glsl_line), values.get("triangles"), values)
+
+
+def editable(found, ctx) -> tuple[Stage, dict, Source, dict]:
+    """A stage of it with what is needed to edit it: its functions, its source, its values."""
+    values, source = whole(found) | found.derived(defaults(found)), edit.source_of(found)
+    return Stage(ctx, source, values.get("triangles"), values), edit.functions(found), source, values
 
 
 def picture(stage, values) -> np.ndarray:
@@ -160,18 +163,61 @@ def test_a_mistake_is_told_where_it_is_not_chosen_now_too(ctx):
     stage.release()
 
 
-def test_an_edit_compiles_what_holds_it_and_no_more(ctx, compiled):
-    """Of one kind of surface no more than one program, and nothing that does not hold the text."""
-    for found, name in ((WORK, "sample_share"), (step("plausible_shading/everything"), "d_beckmann"),
-                        (step("microfacets/cook_torrance"), "d_beckmann")):
-        known, source, values = edit.functions(found), edit.source_of(found), whole(found)
-        stage = Stage(ctx, source, values.get("triangles"), values)
-        picture(stage, values)
-        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float first = 0.0;", 1)}, known, source))
+@pytest.mark.parametrize(("id", "name", "programs"), [
+    ("lights/area_work", "sample_share", 1),
+    ("microfacets/cook_torrance", "d_beckmann", 1), ("microfacets/cook_torrance", "shade", 1),
+    ("plausible_shading/everything", "d_beckmann", 1),  # a vase, which is a grid, and a mesh in one
+    ("plausible_shading/board", "d_beckmann", 1),
+    ("board/cook_torrance", "d_beckmann", 2),  # its ball; its lobes, one of them to look through
+    ("board/cook_torrance+oren_nayar+phong", "d_beckmann", 2),  # nothing of the other two
+    ("board/cook_torrance+oren_nayar+phong", "reflected", 2),  # balls at their pixels, lobes at their corners
+])
+def test_an_edit_compiles_what_holds_it_and_no_more(ctx, compiled, id, name, programs):
+    """And a program of the text alone, for mistakes where it is not run."""
+    stage, known, source, values = editable(step(id), ctx)
+    picture(stage, values)
+    stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float first = 0.0;", 1)}, known, source))
+    del compiled[:]
+    stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float second = 0.0;", 1)}, known, source))
+    picture(stage, values)
+    assert len(compiled) == 1 + programs and all("float second" in text for text in compiled)
+    stage.release()
+
+
+def test_of_a_typed_text_every_choice_is_a_constant_and_the_picture_follows_each(ctx, compiled):
+    """The same pictures as from programs that ask; what is not shown is not compiled."""
+    found = step("board/cook_torrance+phong")
+    stage, known, source, values = editable(found, ctx)
+    plain = Stage(ctx, replace(source, choices=()), values["triangles"], values)
+    assert {"shows", "stands", "model", "board_channel"} <= set(stage.own.seen) and not plain.own.seen
+    text = known["d_beckmann"].text.replace("{", "{ m *= 1.5;", 1)
+    for one in (plain, stage):
         del compiled[:]
-        stage.rewrite(edit.overrides({name: known[name].text.replace("{", "{ float second = 0.0;", 1)}, known, source))
-        assert 1 <= len(compiled) <= 3 and all("float second" in text for text in compiled)
-        stage.release()
+        one.rewrite(edit.overrides({"d_beckmann": text}, known, source))
+    assert not any("uniform int shows;" in one for one in compiled[1:]) and "mesh 2" not in stage.programs
+    seen = []
+    for now in ({}, {"stands": 1}, {"shows": 9}, {"model": 1}, {"lobe_scale": 2}, {}):
+        seen.append(picture(stage, values | now))
+        assert np.abs(seen[-1] - picture(plain, values | now)).max() <= 1, now
+    assert np.array_equal(seen[0], seen[-1]) and all(np.abs(one - seen[0]).max() > 20 for one in seen[1:-1])
+    assert {"mesh 2", "mesh 3"} & stage.programs.keys() == set(), "at the end it stands no more"
+    stage.release()
+    plain.release()
+
+
+def test_a_directive_reaches_what_does_not_run_the_text(ctx):
+    """Surfaces that are coloured without d_beckmann, by a word that a line before it gives another meaning."""
+    stage, known, source, values = editable(step("microfacets/cook_torrance"), ctx)
+    before, text = picture(stage, values), known["d_beckmann"].text
+    stage.rewrite(edit.overrides({"d_beckmann": text + "\n"}, known, source))
+    assert np.abs(picture(stage, values) - before).max() <= 1
+    apart = dict(stage.own.made.drawn_by)
+    stage.rewrite(edit.overrides({"d_beckmann": f"#define mix(a, b, t) (a)\n{text}"}, known, source))
+    assert set(apart.values()) >= {"surface 2", "surface 3"} and len(set(stage.own.made.drawn_by.values())) == 1
+    assert np.abs(picture(stage, values) - before).max() > 20
+    stage.rewrite(edit.overrides({"d_beckmann": text + "\n"}, known, source))
+    assert np.abs(picture(stage, values) - before).max() <= 1 and stage.own.made.drawn_by == apart
+    stage.release()
 
 
 def test_a_picked_pixel_follows_a_choice(ctx):
@@ -224,122 +270,6 @@ def test_inspect_of_all_says_which_steps_decide():
     rows = [Row(inspect(found), {"ratio": 0.5}, ()) for found in (WORK, step("solid_angle/cone"))]
     told = "\n".join(summary(rows, 2))
     assert "measured so: lights/area_work (light_shape, sampling)." in told and "0 faults" not in told
-
-
-# --- the text --------------------------------------------------------------------------------------------------------
-def shortened(text: str, **known: int | frozenset[int]) -> str:
-    """The code that is left, in one line, its blanks squeezed."""
-    made = decide(list(blocks_of(Text(text, "test"))), known)
-    assert sum(len(part.lines) for part in made) == text.count("\n") + 1, "lines keep their numbers"
-    return " ".join(" ".join(line.text for part in made for line in part.lines).split())
-
-
-HEAD = "uniform int kind;\nfloat f() {\n"
-
-
-@pytest.mark.parametrize(("code", "kind", "left"), [
-    ("if (kind == 1) return 1.0;\nreturn 2.0;\n}", 1, "return 1.0; }"),
-    ("if (kind == 1) return 1.0;\nreturn 2.0;\n}", 0, "; return 2.0; }"),
-    ("if (kind == 1) return 1.0;\nelse return g();\n}", 1, "return 1.0; }"),
-    ("if (kind == 1) { a(); } else if (kind == 2) { b(); } else { c(); }\nd();\n}", 2, "{ b(); } d(); }"),
-    ("if (kind > 0 && x > 1.0) return 1.0;\nreturn 2.0;\n}", 0, "; return 2.0; }"),
-    ("if (kind > 0 && x > 1.0) return 1.0;\nreturn 2.0;\n}", 1, "if (kind > 0 && x > 1.0) return 1.0; return 2.0; }"),
-    ("if (kind % 3 != 0 || x > 1.0) a();\nb();\n}", 1, "a(); b(); }"),
-    ("return kind == 0 ? g(1.0) : kind == 1 ? h(2.0) : i(3.0);\n}", 1, "return h(2.0) ; }"),
-    ("return x > 0.0 ? kind == 1 ? a : b : c;\n}", 0, "return x > 0.0 ? b : c; }"),
-    ("float t = kind == 1 ? 0.0 : tilt, c = cos(t);\nreturn t;\n}", 0, "float t = tilt, c = cos(t); return t; }"),
-    ("for (int i = 0; i < (kind == 2 ? 8 : 0); i++) { if (kind == 2) continue; a(); }\nb();\n}", 2,
-     "for (int i = 0; i < ( 8 ); i++) { continue; } b(); }"),
-    ("if (!(kind == 1)) a(); // kind == 1\nb();\n}", 1, "; // kind == 1 b(); }"),
-    ("if (kind == 1.0) a();\nb();\n}", 1, "if (kind == 1.0) a(); b(); }"),
-    ("int kind = 3;\nif (kind == 1) a();\nb();\n}", 1, "int kind = 3; if (kind == 1) a(); b(); }"),
-    ("if (s.kind == 1) a();\nb();\n}", 1, "if (s.kind == 1) a(); b(); }"),
-])
-def test_a_decided_branch_goes(code, kind, left):
-    assert shortened(HEAD + code, kind=kind) == f"const int kind = {kind}; float f() {{ {left}"
-
-
-@pytest.mark.parametrize("body", [
-    "return kind % 0 == 1 ? 1.0 : 2.0;", "return kind == 010 ? 1.0 : 2.0;", "return (kind == 1)(2) ? 1.0 : 2.0;",
-    "if (kind == 1", "if (kind == 1) ", "return kind == 1 ? 1.0 ;", "float x = kind == 1 ? ;",
-    "if (kind > 0) {" * 2000 + "}" * 2000, "return (" * 3000 + "kind == 1" + ")" * 3000 + " ? 1.0 : 2.0;",
-])
-def test_what_is_no_glsl_or_too_deep_is_left_to_the_compiler(body):
-    assert "kind" in shortened(f"{HEAD}{body}\n}}", kind=1)
-
-
-def test_brackets_in_a_condition_are_no_hindrance():
-    assert shortened(HEAD + "if (!(kind == 1 && kind < 3)) a();\nb();\n}", kind=1).endswith("; b(); }")
-
-
-@pytest.mark.parametrize(("calls", "left"), [
-    ("f(kind)", "a()"), ("f(kind) + g(kind)", "a()"), ("f(2)", "b()"), ("f(kind + 1)", "b()"), ("f(kind) + f(2)", "?"),
-    ("g(3)", "b()"), ("f(3) + g(2)", "b()"), ("f(unknown)", "?"), ("f(g(1) > 0.0 ? 1 : 2)", "?"),
-])
-def test_a_parameter_is_known_by_all_calls_that_are_run(calls, left):
-    text = ("uniform int kind;\nfloat f(int which) { return which == 1 ? a() : b(); }\n"
-            "float g(int kind) { return f(kind); }\nfloat never() { return f(1) + f(2); }\n"
-            f"void main() {{ x = {calls}; }}")
-    body = shortened(text, kind=1).partition("{ return")[2].partition("}")[0]
-    assert left == ("?" if "?" in body else body.strip(" ;"))
-
-
-def test_a_call_that_is_not_run_tells_nothing():
-    text = ("uniform int kind;\nfloat f(int which) { return which == 1 ? a() : b(); }\n"
-            "float g() { if (kind == 2) return f(2); return f(1); }\nvoid main() { x = g(); }")
-    assert "b()" not in shortened(text, kind=1) and "b()" in shortened(text, kind=2)
-
-
-@pytest.mark.parametrize(("code", "is_known"), [
-    ("int at = kind % 3, of = kind / 3; if (at == 1 && of == 1) a(); else b();", True),
-    ("const bool is = kind == 4; if (is) a(); else b();", True),
-    ("int at = THREE + 1; if (at == kind) a(); else b();", True),
-    ("int at = kind; at = 2; if (at == 4) a(); else b();", False),
-    ("int at = kind; if (x > 1.0) at += 1; if (at == 4) a(); else b();", False),
-    ("int at = kind; sets(at); if (at == 4) a(); else b();", False),
-    ("int at = kind; y = frexp(x, at); if (at == 4) a(); else b();", False),
-    ("for (int at = kind; at < 9; at++) { if (at == 4) a(); else b(); }", False),
-    ("{ int at = kind; } { int at = 3; if (at == 4) a(); else b(); }", False),
-    ("int at; if (at == 4) a(); else b();", False),
-    ("int at = kind - 9; if (at / 2 == -2) a(); else b();", False),
-    ("int at = unknown; if (at == 4) a(); else b();", False),
-    ("int THREE = 5; if (THREE == 5) a(); else b();", False),
-])
-def test_a_variable_that_is_set_once_is_known(code, is_known):
-    text = ("uniform int kind;\nconst int THREE = 3;\nvoid sets(inout int what) { what = 7; }\n"
-            f"void main() {{ {code} }}")
-    made = shortened(text, kind=4)
-    assert "a();" in made and ("b();" not in made) == is_known
-
-
-@pytest.mark.parametrize(("condition", "left"), [
-    ("surface == 4", "b();"), ("surface % 3 == 0", "a();"), ("surface / 3 == 1", "if"), ("surface < 7", "a();"),
-    ("surface == 3 || surface == 6 || surface == 0", "a();"), ("surface == 0 && x > 1.0", "if"),
-    ("surface == 4 && x > 1.0", "b();"),
-])
-def test_of_some_surfaces_what_holds_for_all_is_decided(condition, left):
-    text = f"uniform int surface;\nvoid main() {{ if ({condition}) a(); else b(); }}"
-    made = shortened(text, surface=frozenset((0, 3, 6)))
-    assert made.startswith("uniform int surface;")
-    assert ("if (" in made) == (left == "if") and left in made
-
-
-def test_a_parameter_that_is_set_is_unknown():
-    text = "uniform int kind;\nfloat f(int k) { k = 2; return k == 1 ? a() : b(); }\nvoid main() { x = f(kind); }"
-    assert "? a() : b()" in shortened(text, kind=1)
-
-
-def test_what_a_macro_calls_is_left_alone():
-    text = ("uniform int kind;\n#define CALL f(3)\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
-            "float h() { return f(kind) + CALL; }")
-    assert "a() : b()" in shortened(text, kind=1)
-
-
-def test_a_surface_knows_its_number_unless_another_is_made():
-    text = "vec3 shade(Surface s) { return s.id == 1 ? a() : b(); }\nvoid main() { x = shade(Surface(surface, y)); }"
-    assert "b()" not in shortened(text, surface=1)
-    assert "b()" in shortened(text.replace("Surface(surface, y)", "Surface(2, y)"), surface=1)
-    assert "b()" in shortened(text.replace("{ return", "{ s.id = 3; return"), surface=1)
 
 
 def test_a_surfaces_program_has_only_what_it_is_coloured_by():

@@ -46,7 +46,7 @@ def test_the_yardstick_colours_the_same_pixels(ctx):
 def test_every_feature_of_the_yardstick_is_in_it(ctx):
     """A feature counts as left out only if the yardstick itself has it: something of its files is compiled there."""
     stage = EverythingOn(ctx, Source(CONE.step.scene))
-    files = set(stage.own.texts(("surface",))["surface"][1].files)
+    files = set(stage.own.texts.programs(("surface",))["surface"][1].files)
     stage.release()
     for name, of in FEATURES.items():
         assert any(f"glsl/optics/{file}.glsl" in files for file in of), name

@@ -53,7 +53,7 @@ def test_a_scene_looks_the_same_with_what_it_needs(name, ctx):
     values = {**defaults(found), **data(found, defaults(found))}
     stage = Stage(ctx, Source(found.step.scene), values.get("triangles"))
     pictures = []
-    for given in (values, needs.only(values, needs.drawn(found.step.scene, stage.own.texts(None)))):
+    for given in (values, needs.only(values, needs.drawn(found.step.scene, stage.own.texts.programs(None)))):
         stage.draw(given, found.step.scene.camera, (120, 90), THEMES["dark"])
         pictures.append(stage.picture.pixels().copy())
     stage.release()

@@ -7,7 +7,8 @@ import moderngl
 
 from app import loops
 from app.gpu.context import program
-from app.gpu.stage_text import KINDS, Pair, Programs, Source, needed, programs, reads, typed_alone, typed_in
+from app.gpu.scene_texts import SceneTexts
+from app.gpu.stage_text import KINDS, Pair, Programs, Source, needed, reads, typed_alone
 from app.gpu.uniforms import on_gpu
 from app.lesson import Surface
 from app.shader import Overrides
@@ -26,20 +27,23 @@ class Made:
 
 
 class ScenePrograms:
+    kind_of_texts: type[SceneTexts] = SceneTexts
     one_program = False  # for all surfaces, rather than one for each
 
     def __init__(self, ctx: moderngl.Context, source: Source, values: dict, forget: Callable[[moderngl.Program], None]):
         """`forget` is told what is about to be released."""
-        self.ctx, self.source, self.scene = ctx, source, source.scene
+        self.ctx, self.scene, self.texts = ctx, source.scene, self.kind_of_texts(source)
         self.forget = forget
         self.made = Made()
         self.others: dict[tuple[int, ...], Made] = {}  # of other choices, the latest last
         self.passing: dict = {}  # made for edited texts and for later choices: released with the stage
         self.seen = dict.fromkeys((*self.scene.decided, *reads(source)), 0)  # choices as they are now
-        self.plain: dict[tuple, Pair] = {}  # texts of the scene as it is written
-        self.typed: dict[tuple, tuple[str, ...]] = {}
         self.see(values)
         self.compile()
+
+    @property
+    def source(self) -> Source:
+        return self.texts.source
 
     # --- choices ---------------------------------------------------------------------------------------------------
     @property
@@ -75,12 +79,11 @@ class ScenePrograms:
         self.let_go()
         return True
 
-    # --- texts -----------------------------------------------------------------------------------------------------
     def rewrite(self, overrides: Overrides, trial: Callable[[], None]) -> None:
         """Other texts in the scene. One that does not compile is a Problem, and so is one that fails in the `trial`;
         what was there before goes on. Programs without these texts are found again, not compiled."""
         before, runs = (self.source, self.made, self.others), False
-        self.source, self.others = replace(self.source, overrides=overrides), {}
+        self.texts.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
                 if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
@@ -90,37 +93,9 @@ class ScenePrograms:
             runs = True
         finally:
             if not runs:
-                self.source, self.made, self.others = before
+                self.texts.source, self.made, self.others = before
             with self.ctx:
                 self.let_go()
-
-    def texts(self, names: tuple[str, ...] | None, known: dict | None = None, plain: bool = False) -> Programs:
-        """What is compiled, for what is `known`; `plain`, as the scene is written."""
-        source = self.source
-        return programs(self.scene, source.file, source.first, names=names, known=known, watched=True,
-                        overrides=() if plain else source.overrides)
-
-    def pair(self, name: str, surfaces: tuple[int, ...] = ()) -> Pair:
-        """The texts of a program; of one that draws some surfaces alone their numbers are known."""
-        number = {"surface": frozenset(surfaces)} if surfaces else {}
-        if any(self.typed_in(name, i) for i in surfaces or (None,)):
-            return self.texts((name,), self.choice | number)[name]
-        key = name, surfaces, *self.decided.values()
-        if key not in self.plain:
-            self.plain[key] = self.texts((name,), self.decided | number, plain=True)[name]
-        return self.plain[key]
-
-    def typed_in(self, name: str, surface: int | None) -> tuple[str, ...]:
-        """Where a program, or that of one surface, runs a text that is being edited. What leads to that text does not
-        change while it is typed, so the answer stays; a directive in it may reach everything."""
-        overrides = self.source.overrides
-        if not overrides:
-            return ()
-        key = name, surface, *self.choice.values(), *(one for one, _ in overrides)
-        if key not in self.typed or any("#" in text.text for _, text in overrides if text.is_own):
-            known = self.choice | ({} if surface is None else {"surface": surface})
-            self.typed[key] = typed_in(self.texts((name,), known)[name], overrides)
-        return self.typed[key]
 
     # --- programs --------------------------------------------------------------------------------------------------
     def compile(self) -> None:
@@ -133,6 +108,9 @@ class ScenePrograms:
                                        () if self.one_program else surfaces)
             drawn_by |= dict.fromkeys(surfaces, called)
         self.made = self.of(wanted, drawn_by)
+
+    def pair(self, name: str, surfaces: tuple[int, ...] = ()) -> Pair:
+        return self.texts.pair(name, surfaces, self.decided, self.choice)
 
     def add(self, name: str) -> None:
         """One more kind of program, for all surfaces."""
@@ -153,7 +131,7 @@ class ScenePrograms:
             if not self.is_shown(surface):
                 continue
             if not self.one_program:
-                glass, typed = " glass" * (surface.opacity < 1), self.typed_in(kind, i)
+                glass, typed = " glass" * (surface.opacity < 1), self.texts.typed_in(kind, i, self.choice)
                 is_few = len(self.scene.surfaces) <= MANY or (self.source.overrides and self.has_own(i))
                 called = f"{kind} {i}" if is_few else kind + glass
                 if typed:

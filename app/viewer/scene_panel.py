@@ -53,7 +53,7 @@ class ScenePanel:
         size = max(16, int(room.x * scale.x)), max(16, int(room.y * scale.y))
         camera = view.camera(self.stage.scene.camera)
         if self.needed[0] is not self.stage.source:  # another step, or another text of it
-            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.own.texts(None))
+            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.own.texts.programs(None))
             self.is_settled = False
         wanted = size, needs.key(values, self.needed[1]), view, theme.name
         changed = wanted != self.drawn
