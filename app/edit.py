@@ -68,7 +68,8 @@ def functions_of(source: Source, called: Iterable[str] = ()) -> dict[str, Functi
             text = shader.read(include).split("\n")
             lines = [shader.Line(line, f"glsl/{include}", i) for i, line in enumerate(text, 1)]
             found = written(lines, include, compiled) | found
-    return {name: found[name] for name in sorted(found, key=lambda name: found[name].include != SCENE)}
+    with_body = [name for name, one in found.items() if name in shader.signatures(one.text)]  # a break leaves a head
+    return {name: found[name] for name in sorted(with_body, key=lambda name: found[name].include != SCENE)}
 
 
 def written(lines: list[shader.Line], include: str, wanted: set[str]) -> dict[str, Function]:

@@ -284,8 +284,9 @@ class Session:
     @property
     def edited(self) -> dict[str, Overrides]:
         """What values carry of the texts that run."""
-        running = self.visit.running
-        return among_values(running, self.functions, source_of(self.current)) if running else {}
+        known = self.functions if self.visit.running else {}  # a break leaves out what it puts another in the place of
+        running = {name: text for name, text in self.visit.running.items() if name in known}
+        return among_values(running, known, source_of(self.current))
 
     def text(self, name: str) -> str:
         """A function as it was typed last, or the course's."""

@@ -140,6 +140,20 @@ def test_a_session_breaks_and_mends():
     assert session.broken is None
 
 
+@every_break
+def test_what_a_break_puts_aside_cannot_be_edited(found, which):
+    """An exercise on it, or a text of one's own, stays open beside the broken scene."""
+    session = Session(found.id)
+    functions = set(found.step.breaks[which].functions)
+    for name in functions & set(session.functions):
+        session.type(name, session.text(name) + "\n// mine")
+    session.run(session.texts)
+    session.break_it(which)
+    assert not functions & set(session.functions)
+    assert all(known.signature.name == name for name, known in session.functions.items())
+    assert isinstance(session.edited, dict), "and what runs of it is nothing that values carry"
+
+
 def test_a_still_of_a_broken_step(tmp_path, capsys):
     sound, bad = tmp_path / "a.png", tmp_path / "b.png"
     words = ["render", "fresnel/inside", "--size", "320x240", "-o"]
