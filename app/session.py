@@ -152,10 +152,11 @@ class Session:
         return visit
 
     def save(self) -> None:
-        """Remember this step on disk: when it is left, when a truth is told, and now and then. The board is no step of
-        the course."""
+        """Remember this step on disk: when it is left, when a truth is told, and now and then; a broken one as it was
+        before. The board is no step of the course."""
         if self.progress and not self.current.id.startswith(BOARD):
-            self.progress.put_state(self.current.id, self.state)
+            found, values, _ = self.sound or (self.current, self.values, 0)
+            self.progress.put_state(found.id, write(found, values, self.view))
             self.progress.put_texts(self.current.id, self.visit.texts, self.visit.aside)
             self.progress.save()
             if self.progress.message not in ("", self.told):  # once is enough

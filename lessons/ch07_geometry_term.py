@@ -766,8 +766,8 @@ vec4 probe(int i) {
             title="G at the picked place, against the light's angle",
             sweep="theta_l",
             curves=(Curve("V-groove", Term("geometry_at", {"geometry": 1})),
-                    Curve("Smith, heights", Term("geometry_at", {"geometry": 3}), role="estimate"),
-                    Curve("Smith, product", Term("geometry_at", {"geometry": 2}), role="printed")),
+                    Curve("heights", Term("geometry_at", {"geometry": 3}), role="estimate"),
+                    Curve("product", Term("geometry_at", {"geometry": 2}), role="printed")),
             y_label="share of the facets",
         ),
         Curves(
@@ -784,11 +784,11 @@ vec4 probe(int i) {
         Readout("none", Term("weak_furnace", {"geometry": 0}), role="printed", unit="", against="Smith"),
         Readout("V-groove", Term("weak_furnace", {"geometry": 1}), unit=""),
         Readout("Smith", Term("weak_furnace", {"geometry": 3}), role="exact", unit=""),
-        Readout("Smith, quick fit", Term("weak_furnace_rational"), role="estimate", unit="", against="Smith"),
+        Readout("quick fit", Term("weak_furnace_rational"), role="estimate", unit="", against="Smith"),
     ),
     models=(Model("V-groove", Term("brdf_geometry", {"f0": 1.0, "geometry": 1}), "exact"),
-            Model("Smith, product", Term("brdf_geometry", {"f0": 1.0, "geometry": 2}), "printed"),
-            Model("Smith, heights", Term("brdf_geometry", {"f0": 1.0, "geometry": 3}), "estimate")),
+            Model("product", Term("brdf_geometry", {"f0": 1.0, "geometry": 2}), "printed"),
+            Model("heights", Term("brdf_geometry", {"f0": 1.0, "geometry": 3}), "estimate")),
     ask=Prediction(
         question="The product passes the test too, with mirrors for facets. At 85° and m = 1 in even light, how much of the light "
                  "does it send back?",

@@ -8,6 +8,7 @@ from app.fonts import font_files
 from app.theme import Theme, colour, rgb
 
 REFERENCE = 420  # px of a plot's shorter side in a window of 1280x720, for which a theme's sizes are meant
+SAME = 0.85  # of a size of the window's font: there the small letters are as high
 DIVERGING = {"dark": "#3A414C", "light": "#DEDED8", "projector": "#E4E4E4"}  # where a diverging map is 0
 REACH = 1.22  # how long a lobe plot's arrows are; a lobe's longest is 1
 SLICE_DECADES = 4  # of an image slice, from its darkest to its brightest
@@ -28,13 +29,18 @@ class Look:
         return max(1.0, min(self.size) / REFERENCE)
 
     @property
+    def letters(self) -> float:
+        """px of the theme's text in the font of plots, whose letters are larger than those of the window's."""
+        return max(16.0, SAME * self.theme.text)
+
+    @property
     def text(self) -> int:
-        return round(self.theme.text * self.scale)
+        return round(self.letters * self.scale)
 
     @property
     def small(self) -> int:
         """Tick labels and notices."""
-        return round(max(14.0, 0.88 * self.theme.text) * self.scale)
+        return round(max(14.0, 0.88 * self.letters) * self.scale)
 
     @property
     def line(self) -> float:

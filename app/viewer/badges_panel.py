@@ -13,7 +13,7 @@ from app.lesson import Model
 from app.terms import whose
 from app.theme import colour
 from app.viewer import glfw, style
-from app.viewer.cut import wrapped
+from app.viewer.cut import PIECE, wrapped
 from app.viewer.marks import mark
 
 SMALL = 0.9  # of the text on a projector, where the column is narrow for it
@@ -169,7 +169,7 @@ def fits(models: tuple[Model, ...]) -> bool:
     """Whether the longest word of the names, or as much of it as is left when it is cut, has room before the badges."""
     room = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x  # whether or not there is a scroll bar
     cells = sum(imgui.calc_text_size(SHORT[name]).x + 2 * imgui.get_style().cell_padding.x for name in NAMES)
-    words = [word for model in models for word in model.label.split()]
+    words = [word for model in models for word in PIECE.findall(model.label)]
     longest = min(max(imgui.calc_text_size(word).x for word in words), CUT * imgui.get_font_size())
     return cells + longest + 1.5 * imgui.get_font_size() <= room
 

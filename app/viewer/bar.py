@@ -9,6 +9,11 @@ BUTTONS = (("Outline", "o"), ("Notes", "n"), ("Edit", "e"), ("Exercise", "x"), (
            ("Copy state", "c"), ("Theme", "t"), ("Keys", "?"))
 
 
+def breaks(app) -> bool:
+    """Whether the step can be broken: its own buttons stand below the prose, out of sight where that is long."""
+    return bool(app.session.broken or app.session.current.step.breaks)
+
+
 def draw(app) -> None:
     session, step = app.session, app.session.current
     imgui.begin_disabled(session.place == 0)
@@ -25,7 +30,8 @@ def draw(app) -> None:
     of_course = bool(step.chapter.steps)
     imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
                         if of_course else step.chapter.title.lower())
-    buttons = [one for one in BUTTONS if one[1] != "x" or app.exercise.own]
+    buttons = [*([("Put it right" if app.session.broken else "Break it", "b")] if breaks(app) else []),
+               *(one for one in BUTTONS if one[1] != "x" or app.exercise.own)]
     padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
     right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8
     if app.message:

@@ -11,6 +11,7 @@ from app.board.coated import Coated
 from app.board.merl import Merl
 from app.board.models import FIT
 from app.catalog import BOARD
+from app.lesson import Slice
 from app.problem import Problem
 from app.readouts import Known, Number, numbers
 from app.theme import colour
@@ -147,7 +148,13 @@ class BoardPanel:
             self.figures = key, numbers(factors, values, self.app.ctx, self.measured)
             self.app.ctx.screen.use()
         imgui.text_disabled(entry.label + ("" if entry.factors else " has f only, no D, G and F"))
-        numbers_panel.draw(self.app, self.figures[1], self.app.theme)
+        numbers_panel.flow(self.app, self.figures[1], self.app.theme)
+
+    @property
+    def tells(self) -> bool:
+        """Whether f of each model is to be said; on a projector not where the legend of the plot has said it."""
+        large, plot = self.app.theme.name == "projector", self.app.session.plot
+        return len(self.found.shown) == 1 or not (large and isinstance(plot, Slice))
 
     # --- what is shown -----------------------------------------------------------------------------------------------
     def view(self, values: dict) -> None:

@@ -1,8 +1,11 @@
 """Words that have no room: cut with dots, and a tool-tip has all of them."""
 
+import re
 from collections.abc import Callable
 
 from imgui_bundle import imgui
+
+PIECE = re.compile(r"[^\s_-]*[_-]+|[^\s_-]+\s*|\s+")  # of a text that may be broken behind each
 
 
 def cut(text: str, room: float, width: Callable[[str], float] = lambda text: imgui.calc_text_size(text).x) -> str:
@@ -15,6 +18,17 @@ def cut(text: str, room: float, width: Callable[[str], float] = lambda text: img
     return line.rstrip() + "…"
 
 
+def folded(text: str, room: float, width: Callable[[str], float] = lambda text: imgui.calc_text_size(text).x) -> str:
+    """All of a text, on as many lines as the room takes, broken between words, behind hyphens and in names_of_files; a
+    piece that is too long for a line by itself is cut."""
+    lines = [""]
+    for piece in PIECE.findall(text):
+        if lines[-1] and width((lines[-1] + piece).rstrip()) > room:
+            lines.append("")
+        lines[-1] += piece
+    return "\n".join(cut(line.rstrip(), room, width) for line in lines)
+
+
 def whole(text: str) -> None:
     """All of a text that was cut, in a tool-tip above the line."""
     imgui.begin_tooltip()
@@ -25,11 +39,10 @@ def whole(text: str) -> None:
 
 
 def wrapped(text: str) -> None:
-    """Text that breaks between words only: a single one that is too long for a line, a file's name, is cut."""
-    room = imgui.get_content_region_avail().x
-    short = " ".join(cut(word, room) for word in text.split(" "))
-    imgui.text_wrapped(short)
-    if short != text and imgui.is_item_hovered():
+    """Text on as many lines as its room takes."""
+    short = folded(text, imgui.get_content_region_avail().x)
+    imgui.text(short)
+    if "…" in short and imgui.is_item_hovered():
         whole(text)
 
 

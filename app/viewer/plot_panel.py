@@ -13,6 +13,7 @@ from app.theme import rgb
 from app.viewer import glfw, style
 from app.viewer.study_panel import StudyPanel
 
+TAB = 0.9  # of the text: seven stand side by side
 TURN = 0.5  # degrees a pixel
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
@@ -57,6 +58,7 @@ class PlotPanel:
         plots = session.current.step.plots
         if len(plots) < 2:
             return
+        imgui.push_font(None, TAB * imgui.get_style().font_size_base)
         gap = 0.2 * imgui.get_font_size()
         right = imgui.get_cursor_pos_x() + imgui.get_content_region_avail().x
         for i, word in enumerate(tab_words(plots)):
@@ -74,6 +76,7 @@ class PlotPanel:
                 imgui.pop_style_color()
             if imgui.is_item_hovered():
                 imgui.set_tooltip(f"{plots[i].title}  (P: the next one)")
+        imgui.pop_font()
 
     def draw(self, values: dict, room: ImVec2) -> None:
         before = imgui.get_cursor_pos_y()

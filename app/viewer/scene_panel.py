@@ -12,12 +12,11 @@ from app.gpu.stage import Stage
 from app.lesson import Handle
 from app.readouts import three
 from app.state import FARTHEST, NEAREST, View
-from app.theme import Theme, colour, rgb
+from app.theme import Theme, rgb
 from app.viewer import handles, style
-from app.viewer.cut import cut
+from app.viewer.scene_words import SceneWords
 
 GRAB = 0.9  # em: how near a handle the hand must be
-WIDEST, PLATE = 0.4, 0.82  # of a label: its share of the picture, and how little is seen through what it stands on
 TURN = 0.35  # degrees a pixel at 720 pixels
 
 
@@ -84,7 +83,7 @@ class ScenePanel:
         imgui.invisible_button(
             "picture", room, imgui.ButtonFlags_.mouse_button_left | imgui.ButtonFlags_.mouse_button_right
         )
-        self.words(corner, room, theme)
+        SceneWords(self.stage, self.points, corner, room, theme).draw(self.faults)
         if not self.app.session.frozen:
             self.hand(corner, room, values, view, theme)
         self.card(theme)
@@ -105,91 +104,6 @@ class ScenePanel:
         assert self.stage is not None
         x, y, _ = orbit.project(point, self.stage.matrix)
         return ImVec2(corner.x + x * room.x, corner.y + y * room.y)
-
-    # --- words -----------------------------------------------------------------------------------------------------
-    def words(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
-        assert self.stage is not None
-        scene = self.stage.scene
-        for label in scene.labels:
-            point = self.points[f"label {label.probe}"]
-            words, shade = cut(label.text, WIDEST * room.x), style.ink(label.colour, theme)
-            self.word(words, shade, point, corner, room, theme, beside=False)
-        for mark in scene.marks:
-            if mark.label:
-                self.word(
-                    mark.label,
-                    style.ink(mark.colour, theme),
-                    self.points[f"mark {mark.name}"],
-                    corner,
-                    room,
-                    theme,
-                    gap=1.1 if mark.tip != "none" else 0.4,
-                )
-        self.legend(corner, room, theme)
-        if self.faults:
-            self.fault_notice(self.faults, corner, room, theme)
-        elif self.faults is not None:
-            at = ImVec2(corner.x + 0.7 * imgui.get_font_size(), corner.y + room.y - 1.6 * imgui.get_font_size())
-            imgui.get_window_draw_list().add_text(at, style.u32(rgb(theme.quiet), 0.7), "0 faulty pixels")
-
-    def word(
-        self, text: str, shade, point: np.ndarray, corner: ImVec2, room: ImVec2, theme: Theme, gap: float = 0.4,
-        beside: bool = True,
-    ) -> None:
-        """A word beside its point or on it, as in stills; kept inside the picture, on a plate of the background, for it
-        may stand before anything. None for a point outside."""
-        assert self.stage is not None
-        across, down, w = orbit.project(point, self.stage.matrix)
-        if w <= 0 or not (-0.05 <= across <= 1.05 and -0.05 <= down <= 1.05):
-            return
-        at, size, gap = self.on_screen(point, corner, room), imgui.calc_text_size(text), gap * imgui.get_font_size()
-        away = np.array(
-            [at.x - corner.x - room.x / 2, at.y - corner.y - room.y / 2]
-        )  # outwards, off the lines it names
-        away = away / np.hypot(*away) if np.hypot(*away) > gap else np.array([0.0, -1.0])
-        x = at.x + beside * away[0] * (gap + size.x / 2) - size.x / 2
-        y = at.y + beside * away[1] * (gap + size.y / 2) - size.y / 2
-        x = min(max(x, corner.x + gap), corner.x + room.x - size.x - gap)
-        y = min(max(y, corner.y + gap), corner.y + room.y - size.y - gap)
-        draw, pad, unit = imgui.get_window_draw_list(), 0.2 * size.y, 0.5 * size.y
-        corners = ImVec2(x - pad, y), ImVec2(x + size.x + pad, y + size.y + 0.1 * pad)
-        draw.add_rect_filled(*corners, style.u32(rgb(theme.background), PLATE), unit)
-        draw.add_text(ImVec2(x, y), style.u32(shade), text)
-
-    def legend(self, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
-        assert self.stage is not None
-        draw, size = imgui.get_window_draw_list(), imgui.get_font_size()
-        y, wide = corner.y + 0.6 * size, max(room.x - 2.3 * size, 4 * size)
-        for name, text in self.stage.scene.legend:
-            draw.add_rect_filled(
-                ImVec2(corner.x + 0.7 * size, y + 0.25 * size),
-                ImVec2(corner.x + 1.4 * size, y + 0.95 * size),
-                style.u32(colour(name, theme)),
-                2.0,
-            )
-            ink = style.u32(rgb(theme.foreground))
-            draw.add_text(imgui.get_font(), size, ImVec2(corner.x + 1.8 * size, y), ink, text, wide)
-            y += imgui.calc_text_size(text, wrap_width=wide).y + imgui.get_style().item_spacing.y
-
-    def fault_notice(self, faults: Faults, corner: ImVec2, room: ImVec2, theme: Theme) -> None:
-        parts = [
-            f"{count} pixels {word}"
-            for count, word in (
-                (faults.nan, "not a number"),
-                (faults.inf, "infinite"),
-                (faults.negative, "negative"),
-            )
-            if count
-        ]
-        text = "Faulty: " + ", ".join(parts)
-        unit, wide = imgui.get_font_size(), room.x - 20
-        size = imgui.calc_text_size(text, wrap_width=wide)
-        at = ImVec2(corner.x + 8, corner.y + room.y - unit - size.y)
-        draw = imgui.get_window_draw_list()
-        draw.add_rect_filled(
-            ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 8, at.y + size.y + 3), style.u32((0.75, 0.0, 0.1)), 3.0
-        )
-        draw.add_text(imgui.get_font(), unit, ImVec2(at.x + 2, at.y), style.u32((1.0, 1.0, 1.0)), text, wide)
 
     # --- the hand --------------------------------------------------------------------------------------------------
     def hand(self, corner: ImVec2, room: ImVec2, values: dict, view: View, theme: Theme) -> None:

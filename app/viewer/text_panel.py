@@ -10,6 +10,7 @@ from app.prose import FORMULA, for_screen
 from app.theme import THEMES, Theme, colour
 from app.typed import finer
 from app.viewer import break_panel, exercise_panel, style
+from app.viewer.cut import folded
 
 MARKDOWN = 16.0  # px: the size at which rich_md loads its fonts
 
@@ -116,8 +117,10 @@ def question(app, step: Step, theme: Theme) -> None:
 def guess(app, step: Step) -> None:
     ask, answer = step.ask, app.session.answer
     if ask.choices:
+        circle = imgui.get_frame_height() + imgui.get_style().item_inner_spacing.x
+        room = imgui.get_content_region_avail().x - circle
         for i, choice in enumerate(ask.choices):
-            if imgui.radio_button(choice.text, answer.choice == i):
+            if imgui.radio_button(folded(choice.text, room), answer.choice == i):
                 app.session.guess(i)
         return
     now = answer.guess if answer.guess is not None else app.first_guess(ask)

@@ -14,7 +14,7 @@ from app import tables
 from app.catalog import BOARD
 from app.edit import CODE, EDITED
 from app.gpu.context import adopt, step_aside
-from app.lesson import Ledger, Number, Prediction
+from app.lesson import Curves, Ledger, Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
@@ -43,6 +43,7 @@ FIXED = (
 )
 THEME_ORDER = tuple(THEMES)
 LEAST = 960, 540  # pixels: below, the columns would overlap
+LEAST_PLOT = 0.5  # of the column
 SAVE_EVERY = 5.0  # seconds
 
 
@@ -74,6 +75,7 @@ class Window:
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
         self.typed: tuple = (None, 0)  # the text that runs, the frame it was first drawn in
+        self.below: tuple = (None, 0.0)  # what the plot is of, px that the numbers below it take
         self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
         self.saved, self.saved_at = self.session.revision, time.monotonic()
@@ -153,6 +155,8 @@ class Window:
         line = round(2.6 * unit)
         left = round(min(max(0.29 * size.x, 22 * unit), 0.34 * size.x))
         right = round(min(max(0.27 * size.x, 19 * unit), 0.31 * size.x))
+        if self.on_board and self.theme.name == "projector":  # its numbers say more than its sliders
+            left, right = right, left
         text = self.exercise.draw if self.exercise.is_shown else self.editor.draw if self.editor.is_open else None
         if text:
             left = round(min(0.42 * size.x, size.x - right - 17.5 * unit))
@@ -175,8 +179,12 @@ class Window:
         draw()
         imgui.end()
 
+    @property
+    def on_board(self) -> bool:
+        return self.session.current.id.startswith(BOARD)
+
     def text_column(self) -> None:
-        if self.session.current.id.startswith(BOARD):
+        if self.on_board:
             self.board.draw(self.values)
         else:
             text_panel.draw(self)
@@ -198,21 +206,37 @@ class Window:
 
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
-        tall = 1.35 if isinstance(self.session.plot, Ledger) else 1.05  # its rows need the room
+        of = self.session.current, self.session.visit.plot, self.theme.name, *imgui.get_window_size()
+        if self.below[0] != of:
+            self.below = of, 0.0
         if EDITED in self.values and not self.plot.follows:
             imgui.text_disabled("This plot is of the course, not of your text.")
         # the width without a scroll bar: else the bar would take room from the plot, go, come back, for ever
         width = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x
-        self.plot.draw(self.values, ImVec2(room.x, min(0.62 * room.y, tall * width)))
+        self.plot.draw(self.values, ImVec2(room.x, self.plot_height(room.y, width)))
         imgui.spacing()
+        top = imgui.get_cursor_pos_y()
         try:
-            if self.session.current.id.startswith(BOARD):
+            if self.on_board:
                 self.board.point(self.values)
-            numbers_panel.draw(self, self.numbers(), self.theme)
+            if not self.on_board or self.board.tells:
+                numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
             leave_panel.draw(self)
+            self.below = of, max(self.below[1], imgui.get_cursor_pos_y() - top)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
+
+    def plot_height(self, room: float, width: float) -> float:
+        """What the numbers leave of the column, so that nothing scrolls and nothing is empty; but never so low that
+        nothing could be read in it, nor much higher than wide. The most that the numbers took in this step counts, so
+        that it holds still while they change."""
+        rows = isinstance(self.session.plot, Ledger) or (
+            isinstance(self.session.plot, Curves) and self.theme.name == "projector")
+        most = (1.35 if rows else 1.05) * width  # a ledger's rows and large words need the room
+        least = min(LEAST_PLOT * room, most)
+        left = room - self.below[1] - 2 * imgui.get_style().item_spacing.y
+        return min(max(left, least), most) if self.below[1] else least
 
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def do(self, key: str) -> None:
