@@ -39,7 +39,7 @@ ANGLE = Step(
     prose=r"""
 Light goes out in all directions. To say how much goes where, we count directions.
 
-On a **circle** we count arc: an angle in radians is $\dfrac{\colour{l}{\text{arc}}}{r}$. On a **sphere** we count area:
+On a **circle** we count arc: an angle in radians is $\colour{l}{\text{arc}} / r$. On a **sphere** we count area:
 
 $$\omega = \frac{\colour{l}{A'}}{r^2}$$
 

@@ -485,7 +485,7 @@ vec4 probe(int i) {
             Mark("normal", colour="n", tip="arrow", label="n"), Mark("normal right", colour="n", tip="arrow"),
             Mark("ray left", colour="l", tip="arrow", width=1.4), Mark("ray right", colour="l", tip="arrow", width=1.4),
         ),
-        labels=(Label("L: what is seen", 2), Label("L cos θ: what counts", 3)),
+        labels=(Label("L: seen", 2), Label("L cos θ: counts", 3)),
         handles=(Handle("the piece of sky", 0, ("theta",)),),
         camera=Camera(azimuth=-90, elevation=30, distance=9.6, target=(0.0, 0.0, 0.3)),
     ),

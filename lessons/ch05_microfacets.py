@@ -918,7 +918,7 @@ vec4 probe(int i) {
             *(Mark(f"here {i}", colour="h", line="dashed") for i in range(3)),
         ),
         labels=(Label("stable", 1), Label("fast", 2, "printed"), Label("expensive", 3, "lost"),
-                Label("slopes from −3m to 3m", 4)),
+                Label("slopes, −3m to 3m", 4)),
         handles=(Handle("the facet", 0, ("slope_ratio",)),),
         camera=Camera(azimuth=-90, elevation=0, distance=24, target=(0.0, 0.0, 0.0), field_of_view=15.5),
     ),

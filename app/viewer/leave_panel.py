@@ -13,6 +13,14 @@ def draw(app) -> None:
     if not app.own.decided or app.session.frozen:
         return
     imgui.spacing()
+    if app.theme.name != "projector":
+        table(app)
+    elif imgui.tree_node("What is left out"):  # fewer things, where letters are large
+        table(app)
+        imgui.tree_pop()
+
+
+def table(app) -> None:
     flags = imgui.TableFlags_.sizing_fixed_fit | imgui.TableFlags_.pad_outer_x
     if not imgui.begin_table("left out", len(HEADS), flags):
         return

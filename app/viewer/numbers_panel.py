@@ -11,7 +11,7 @@ from app.viewer import style
 from app.viewer.cut import wrapped
 
 DOT = {"exact": "exact", "estimate": "estimate", "printed": "printed", "number": "quiet"}
-WORDS, ERRORS = 0.36, 0.27  # shares of the line: at least, and at most
+WORDS, ERRORS = 0.3, 0.27  # shares of the line that are theirs at least
 DOT_ROOM = 0.95  # em
 
 
@@ -76,8 +76,8 @@ def widths(numbers: list[Number], room: float) -> tuple[float, float, bool]:
         (errors(one, True) for one in numbers)))
     if words + value + beside <= room:
         return value, beside, True
-    error = min(error, max(ERRORS * room, room - words - value))
-    return min(value, (1 - WORDS) * room - error), error, False
+    value = min(value, (1 - WORDS - ERRORS) * room)
+    return value, min(error, max(room - value - words, ERRORS * room)), False
 
 
 def said(number: Number) -> str:
