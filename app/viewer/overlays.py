@@ -78,9 +78,7 @@ def welcome(app, size: ImVec2) -> None:
 def outline(app, size: ImVec2) -> None:
     """Every step, and a search over text, slide titles and terms."""
     centred("Outline", size, 46, 34)
-    shown, app.show_outline = imgui.begin(
-        "Outline", True, OVERLAY
-    )
+    shown, app.show_outline = framed("Outline")
     if shown:
         if imgui.is_window_appearing():
             imgui.set_keyboard_focus_here()
@@ -142,9 +140,7 @@ def hits(app) -> None:
 
 def help_keys(app, size: ImVec2, keys: tuple[tuple[str, str], ...] = KEYS) -> None:
     centred("Keys", size, 44, 22)
-    shown, app.show_help = imgui.begin(
-        "Keys", True, OVERLAY
-    )
+    shown, app.show_help = framed("Keys")
     if shown and imgui.begin_table("keys", 2):
         imgui.table_setup_column("key", imgui.TableColumnFlags_.width_fixed, 13 * imgui.get_font_size())
         for key, meaning in keys:
@@ -155,6 +151,16 @@ def help_keys(app, size: ImVec2, keys: tuple[tuple[str, str], ...] = KEYS) -> No
             imgui.text_wrapped(meaning)
         imgui.end_table()
     imgui.end()
+
+
+def framed(name: str) -> tuple[bool, bool]:
+    """It begins with an edge: what lies below has the same colour. Whether it is to be drawn, and to stay."""
+    imgui.push_style_var(imgui.StyleVar_.window_border_size, 0.12 * imgui.get_font_size())
+    imgui.push_style_color(imgui.Col_.border, imgui.get_style_color_vec4(imgui.Col_.text_disabled))
+    shown, stays = imgui.begin(name, True, OVERLAY)
+    imgui.pop_style_color()
+    imgui.pop_style_var()
+    return shown, bool(stays)
 
 
 def centred(name: str, size: ImVec2, wide: float, high: float) -> None:

@@ -15,6 +15,9 @@ from app.viewer.study_panel import StudyPanel
 
 TAB = 0.9  # of the text: seven stand side by side
 TURN = 0.5  # degrees a pixel
+WIDE, HIGH = 1.05, 1.35  # over the width, at most: of a plot; of a ledger's rows, of one with large words above it
+ROW, ROOF = 6.2, 4.5  # em: of a ledger, from a row to the next, and all but that
+LEAST = 0.5  # of the column
 ON_ITS_WAY = "drawing…"
 TABS = {Curves: "curves", Figure: "space", Faces: "faces", Ledger: "ledger", Lobes: "lobe", Slice: "slice",
         ImageSlice: "image", Study: "study"}
@@ -39,6 +42,7 @@ class PlotPanel:
         self.fault = ""
         self.spots: tuple[Spot, ...] = ()  # of the picture, that can be pointed at
         self.study = StudyPanel(app)
+        self.is_sized = True
         self.at = ImVec2(0, 0)  # where the picture is in the window
         self.shown = 0  # pictures so far
         self.marks: tuple = (None, (), None)  # the plot, the user's texts, the plot with them marked
@@ -78,13 +82,28 @@ class PlotPanel:
                 imgui.set_tooltip(f"{plots[i].title}  (P: the next one)")
         imgui.pop_font()
 
+    def height(self, room: float, width: float, below: float) -> float:
+        """What the numbers leave of a column, so that nothing scrolls and nothing is empty; but never so low that it
+        could not be read, nor much higher than wide. The most that the numbers took in this step counts, so that it
+        holds still while they change; before they are known (0) nothing is asked for."""
+        self.is_sized = below > 0
+        plot, large = self.app.session.plot, self.app.theme.name == "projector"
+        tall = HIGH if isinstance(plot, Ledger) or (large and isinstance(plot, Curves)) else WIDE
+        most = tall * width
+        if isinstance(plot, Ledger):
+            rows = max(map(len, plot.columns))
+            most = min(most, (ROW * (rows - 1) + ROOF) * imgui.get_font_size())
+        least = min(LEAST * room, most)
+        left = room - below - 2 * imgui.get_style().item_spacing.y
+        return min(max(left, least), most) if below else least
+
     def draw(self, values: dict, room: ImVec2) -> None:
         before = imgui.get_cursor_pos_y()
         self.tabs()
         room = ImVec2(room.x, room.y - (imgui.get_cursor_pos_y() - before))
         scale = imgui.get_io().display_framebuffer_scale
         size = max(64, int(room.x * scale.x)), max(64, int(room.y * scale.y))
-        if self.app.frame > 1:  # the lesson is shown first
+        if self.app.frame > 1 and self.is_sized:  # the lesson is shown first
             self.ask(values, size)
         self.at = at = imgui.get_cursor_screen_pos()
         hidden = self.app.session.frozen

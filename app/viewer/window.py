@@ -14,7 +14,7 @@ from app import tables
 from app.catalog import BOARD
 from app.edit import CODE, EDITED
 from app.gpu.context import adopt, step_aside
-from app.lesson import Curves, Ledger, Number, Prediction
+from app.lesson import Number, Prediction
 from app.paths import LESSONS
 from app.prediction import truth_values
 from app.problem import Problem, Usage
@@ -43,7 +43,6 @@ FIXED = (
 )
 THEME_ORDER = tuple(THEMES)
 LEAST = 960, 540  # pixels: below, the columns would overlap
-LEAST_PLOT = 0.5  # of the column
 SAVE_EVERY = 5.0  # seconds
 
 
@@ -213,7 +212,7 @@ class Window:
             imgui.text_disabled("This plot is of the course, not of your text.")
         # the width without a scroll bar: else the bar would take room from the plot, go, come back, for ever
         width = imgui.get_window_width() - 2 * imgui.get_style().window_padding.x
-        self.plot.draw(self.values, ImVec2(room.x, self.plot_height(room.y, width)))
+        self.plot.draw(self.values, ImVec2(room.x, self.plot.height(room.y, width, self.below[1])))
         imgui.spacing()
         top = imgui.get_cursor_pos_y()
         try:
@@ -223,20 +222,9 @@ class Window:
                 numbers_panel.draw(self, self.numbers(), self.theme)
             self.badges.draw(self.values)
             leave_panel.draw(self)
-            self.below = of, max(self.below[1], imgui.get_cursor_pos_y() - top)
         except Problem as problem:
             imgui.text_wrapped(str(problem))
-
-    def plot_height(self, room: float, width: float) -> float:
-        """What the numbers leave of the column, so that nothing scrolls and nothing is empty; but never so low that
-        nothing could be read in it, nor much higher than wide. The most that the numbers took in this step counts, so
-        that it holds still while they change."""
-        rows = isinstance(self.session.plot, Ledger) or (
-            isinstance(self.session.plot, Curves) and self.theme.name == "projector")
-        most = (1.35 if rows else 1.05) * width  # a ledger's rows and large words need the room
-        least = min(LEAST_PLOT * room, most)
-        left = room - self.below[1] - 2 * imgui.get_style().item_spacing.y
-        return min(max(left, least), most) if self.below[1] else least
+        self.below = of, max(self.below[1], imgui.get_cursor_pos_y() - top, 1.0)
 
     # --- what is asked of it -----------------------------------------------------------------------------------------
     def do(self, key: str) -> None:
