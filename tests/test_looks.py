@@ -81,6 +81,21 @@ def test_large_letters_fit_where_most_is_shown(monkeypatch):
     drive(test, start="geometry_term/smith")
 
 
+def test_the_picture_makes_room_for_the_rest_of_the_controls():
+    def test(engine, window):
+        window.set_theme("projector")
+        frames(engine, 4)
+        before = window.scene.room.y
+        engine.item_click("//Scene/more")
+        frames(engine, 4)
+        assert window.scene.room.y < before and on_gl(engine, window, lambda: scroll(window, "Scene")) == 0
+        engine.item_click("//Scene/more")
+        frames(engine, 4)
+        assert window.scene.room.y == before
+
+    drive(test, start="geometry_term/smith")
+
+
 def test_no_unit_is_torn_where_there_is_room():
     def test(engine, window):
         frames(engine, 4)

@@ -26,14 +26,14 @@ def draw(app) -> None:
         app.move(1)
     imgui.end_disabled()
     imgui.same_line()
-    imgui.align_text_to_frame_padding()
-    of_course = bool(step.chapter.steps)
-    imgui.text_disabled(f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min"
-                        if of_course else step.chapter.title.lower())
     buttons = [*([("Put it right" if app.session.broken else "Break it", "b")] if breaks(app) else []),
                *(one for one in BUTTONS if one[1] != "x" or app.exercise.own)]
     padding = 2 * imgui.get_style().frame_padding.x + imgui.get_style().item_spacing.x
     right = imgui.get_window_width() - sum(imgui.calc_text_size(b).x + padding for b, _ in buttons) - 8
+    imgui.align_text_to_frame_padding()
+    place = (f"step {step.index + 1} of {len(step.chapter.steps)}, {step.step.minutes:g} min" if step.chapter.steps
+             else step.chapter.title.lower())
+    imgui.text_disabled(cut(place, right - imgui.get_cursor_pos_x() - padding))
     if app.message:
         imgui.same_line()
         shown = cut(app.message, right - imgui.get_cursor_pos_x() - padding)

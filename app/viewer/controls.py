@@ -15,23 +15,25 @@ LABEL = 9.5  # em: at most
 BOUNDED = imgui.SliderFlags_.always_clamp
 
 
-def draw(app) -> None:
-    """The few controls of the step, and the rest behind "more"."""
-    rows(app, app.session.current.below)
+def draw(app) -> bool:
+    """The few controls of the step, and the rest behind "more": whether that is open."""
+    return rows(app, app.session.current.below)
 
 
-def rows(app, specs: Iterable[ValueSpec]) -> None:
+def rows(app, specs: Iterable[ValueSpec]) -> bool:
     specs = list(specs)
     left = label_width(specs)
     imgui.begin_disabled(app.session.frozen)
     for spec in (s for s in specs if not s.more):
         row(app, spec, left)
     rest = [s for s in specs if s.more]
-    if rest and imgui.tree_node("more"):
+    is_open = bool(rest) and imgui.tree_node("more")
+    if is_open:
         for spec in rest:
             row(app, spec, left)
         imgui.tree_pop()
     imgui.end_disabled()
+    return is_open
 
 
 def label(spec: ValueSpec) -> str:
@@ -45,11 +47,11 @@ def label_width(specs: Iterable[ValueSpec]) -> float:
     return min(max((imgui.calc_text_size(label(s)).x for s in specs), default=0.0) + 2.5 * unit, LABEL * unit)
 
 
-def height(specs: Iterable[ValueSpec], room: float) -> float:
-    """What the few controls take of a column `room` wide; the rest behind "more" may scroll."""
+def height(specs: Iterable[ValueSpec], room: float, is_open: bool) -> float:
+    """What the controls take of a column `room` wide, with or without those behind "more"."""
     specs = list(specs)
     room -= label_width(specs)
-    rows = sum(len(lines(s, room)) for s in specs if not s.more) + any(s.more for s in specs)
+    rows = sum(len(lines(s, room)) for s in specs if is_open or not s.more) + any(s.more for s in specs)
     return rows * imgui.get_frame_height_with_spacing() + imgui.get_style().item_spacing.y
 
 

@@ -74,6 +74,7 @@ class Window:
         self.figures: tuple = (None, [])  # (revision, numbers)
         self.measured: Known = {}  # of this step
         self.typed: tuple = (None, 0)  # the text that runs, the frame it was first drawn in
+        self.more = False  # whether the rest of the controls is shown: the picture makes room for them
         self.below: tuple = (None, 0.0)  # what the plot is of, px that the numbers below it take
         self.derived: tuple = (None, {})  # (revision, what follows from the values)
         self.dropped: list[str] = []
@@ -190,7 +191,7 @@ class Window:
 
     def scene_column(self) -> None:
         room = imgui.get_content_region_avail()
-        below = controls.height(self.session.current.below, room.x)
+        below = controls.height(self.session.current.below, room.x, self.more)
         picture = ImVec2(room.x, max(room.y - below, 0.35 * room.y))
         if self.own.no_picture:
             imgui.push_style_color(imgui.Col_.child_bg, style.vec(rgb(self.theme.background)))
@@ -201,7 +202,7 @@ class Window:
             imgui.pop_style_color()
         else:
             self.scene.draw(self.values, self.session.view, self.theme, picture)
-        controls.draw(self)
+        self.more = controls.draw(self)
 
     def plot_column(self) -> None:
         room = imgui.get_content_region_avail()
