@@ -19,6 +19,7 @@ from app.propagation import (
     constants,
     gives_away,
     has_one_number,
+    macros,
     masked,
     own,
     parameters,
@@ -41,8 +42,10 @@ def decide(found: list[Block], known: Mapping[str, int | Numbers]) -> list[Block
     made = [part if part.is_function else constant(part, numbers) for part in found]
     codes = {i: code for i, part in enumerate(made) if part.is_function and "{" in (code := masked(part))}
     names = {i: parameters(code)[0] for i, code in codes.items()}
-    others = (part.words for i, part in enumerate(made) if i not in codes)
-    loose = frozenset[str]().union(*others)  # in macros, or declared ahead: no call is looked for there
+    others = [part for i, part in enumerate(made) if i not in codes]
+    loose = frozenset[str]().union(*(part.words for part in others))  # macros, or ahead: no call is looked for there
+    outer = frozenset[str]().union(*(part.names for part in others))
+    numbers = {name: numbers[name] for name in numbers.keys() - macros(others)}
     has_one = has_one_number([code for i, code in codes.items() if SURFACE in made[i].words])
     of_surface = numbers.get("surface") if has_one else None
     numbers = constants(made, numbers)
@@ -55,7 +58,7 @@ def decide(found: list[Block], known: Mapping[str, int | Numbers]) -> list[Block
         if name not in given and name not in entries | loose:
             continue  # nothing calls it
         is_sure = name not in entries | loose
-        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends)
+        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends, outer)
         made[i], handed = followed(made[i], tuple(has.items()))
         for callee, values in handed:
             given[callee] = either(given[callee], values) if callee in given else values

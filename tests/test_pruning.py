@@ -97,10 +97,15 @@ def test_a_call_that_is_not_run_tells_nothing():
     ("int at = kind - 9; if (at / 2 == -2) a(); else b();", False),
     ("int at = unknown; if (at == 4) a(); else b();", False),
     ("int THREE = 5; if (THREE == 5) a(); else b();", False),
+    ("{ int width = 2; } if (width > 1) a(); else b();", False),  # GLSL takes 1 as 1.0 there
+    ("int other, kind; kind = f(); if (kind == 4) a(); else b();", False),
+    ("int SOME = 3; if (SOME == 3) a(); else b();", False),  # it may stand for anything
+    ("if (CHOSEN == 2) a(); else b();", False),  # one of two is compiled
 ])
 def test_a_variable_that_is_set_once_is_known(code, is_known):
-    text = ("uniform int kind;\nconst int THREE = 3;\nvoid sets(inout int what) { what = 7; }\n"
-            f"void main() {{ {code} }}")
+    text = ("uniform int kind;\nuniform float width;\n#define SOME kind\nconst int THREE = 3;\n"
+            "#ifdef NO\nconst int CHOSEN = 2;\n#else\nconst int CHOSEN = 3;\n#endif\n"
+            f"void sets(inout int what) {{ what = 7; }}\nvoid main() {{ {code} }}")
     made = shortened(text, kind=4)
     assert "a();" in made and ("b();" not in made) == is_known
 
@@ -136,6 +141,11 @@ def test_what_a_macro_calls_is_left_alone():
     text = ("uniform int kind;\n#define CALL f(3)\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
             "float h() { return f(kind) + CALL; }")
     assert "a() : b()" in shortened(text, kind=1)
+
+
+def test_what_a_macro_stands_for_is_unknown():
+    text = "uniform int kind;\nfloat f() { return kind == 1 ? a() : b(); }"
+    assert "b()" not in shortened(text, kind=1) and "a() : b()" in shortened(f"#define kind 2\n{text}", kind=1)
 
 
 def test_what_only_a_macro_leads_to_still_calls():
