@@ -5,7 +5,7 @@ travel among a step's values (`values[EDITED]`) to whatever evaluates a twin: re
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cache, lru_cache
 from importlib import import_module
@@ -183,14 +183,6 @@ def marked(plot: Plot, edits: Overrides) -> Plot:
 
     parts = {f.name: getattr(plot, f.name) for f in fields(plot)}
     return replace(plot, **{name: one(part) for name, part in parts.items() if isinstance(part, tuple)})
-
-
-def twins(found: LoadedStep, texts: Mapping[str, str]) -> Iterator[tuple[str, Overrides]]:
-    """The twins of the step's numbers, plots and models that are made of the texts."""
-    edits = among_values(texts, functions(found), source_of(found)).get(EDITED, ())
-    for function in dict.fromkeys(term.function for _, term, _ in terms(found.step)):
-        if ":" not in function and follows(function, edits):
-            yield function, edits
 
 
 # --- who follows -----------------------------------------------------------------------------------------------------

@@ -56,6 +56,7 @@ def drawn(scene: Scene, texts: Mapping[str, tuple[shader.Assembled, shader.Assem
     """Of a scene: the uniforms of its programs, how many dots there are, and which data it shows."""
     found = {name for pair in texts.values() for part in pair if part for name in shader.uniforms(part.text)}
     found |= {table.choice for table in scene.tables} | {table.uniform for table in scene.tables} | {EDITED}
+    found |= {surface.where[0] for surface in scene.surfaces if surface.where}
     if scene.dots and isinstance(scene.dots.count, str):
         found.add(scene.dots.count)
     return frozenset(found)

@@ -12,7 +12,7 @@ from math import prod
 from types import CodeType
 
 from app.brackets import closing, parts, upto
-from app.shader import PARAMETER, SIGNATURE, Block
+from app.shader import ALWAYS, PARAMETER, SIGNATURE, Block
 
 Numbers = frozenset[int]
 Known = Mapping[str, Numbers]
@@ -92,8 +92,8 @@ def gives_away(code: str) -> bool:
 @lru_cache(8192)
 def hides(name: str, code: str) -> bool:
     """Whether a function declares a variable of that name."""
-    body = re.sub(r"\breturn\b", "", code[code.index("{"):])
-    return re.search(rf"\b\w+\s+{name}\s*[=;,\[](?!=)|,\s*{name}\s*=(?!=)", body) is not None
+    body = code[code.index("{"):]
+    return times_set(name, body) > 0 or re.search(rf"\b(?!return\b)\w+\s+{name}\s*[=;,\[](?!=)", body) is not None
 
 
 @lru_cache(8192)
@@ -137,7 +137,7 @@ def constants(found: Iterable[Block], numbers: Known) -> dict[str, Numbers]:
     """The text's own constants, `const int A = 1, B = A + 1;`, beside what is known."""
     known = dict(numbers)
     for part in found:
-        for name, expression in () if part.is_function else declared(part):
+        for name, expression in () if part.is_function or ALWAYS in part.names else declared(part):
             if name not in known and (value := possible(expression, known)):
                 known[name] = value
     return known
@@ -150,6 +150,11 @@ def declared(part: Block) -> tuple[tuple[str, str], ...]:
     return tuple((name.strip(), expression) for name, is_set, expression in split if is_set)
 
 
+def macros(found: Iterable[Block]) -> frozenset[str]:
+    """Names that may stand for anything."""
+    return frozenset(name for part in found if masked(part).lstrip().startswith("#define") for name in part.names)
+
+
 def has_one_number(codes: list[str]) -> bool:
     """Whether every Surface is made with the number `surface`, and keeps it."""
     return not any(re.search(r"\.id\s*=[^=]", code) for code in codes) and all(
@@ -157,9 +162,9 @@ def has_one_number(codes: list[str]) -> bool:
 
 
 def own(part: Block, given: tuple[Numbers | None, ...], numbers: Known, of_surface: Numbers | None,
-        lends: frozenset[str]) -> dict[str, Numbers]:
+        lends: frozenset[str], outer: frozenset[str]) -> dict[str, Numbers]:
     """What a function knows of the names it uses, when its calls give it these; `of_surface` is the number of a
-    Surface, `lends` are the functions that may set what they are handed."""
+    Surface, `lends` are the functions that may set what they are handed, `outer` what is declared outside functions."""
     code = masked(part)
     _, taken = parameters(code)
     inside, away = {name for _, name in taken}, lent(code, lends)
@@ -170,6 +175,6 @@ def own(part: Block, given: tuple[Numbers | None, ...], numbers: Known, of_surfa
     if of_surface:
         found |= {f"{name}.id": of_surface for kind, name in taken if kind == SURFACE}
     for name, expression in variables(code):
-        if name not in numbers and name not in inside | away and (value := possible(expression, found)):
+        if name not in numbers and name not in inside | away | outer and (value := possible(expression, found)):
             found[name] = value
     return found

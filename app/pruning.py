@@ -5,7 +5,6 @@ is always taken goes too.
 """
 
 import re
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
@@ -20,6 +19,7 @@ from app.propagation import (
     constants,
     gives_away,
     has_one_number,
+    macros,
     masked,
     own,
     parameters,
@@ -42,22 +42,23 @@ def decide(found: list[Block], known: Mapping[str, int | Numbers]) -> list[Block
     made = [part if part.is_function else constant(part, numbers) for part in found]
     codes = {i: code for i, part in enumerate(made) if part.is_function and "{" in (code := masked(part))}
     names = {i: parameters(code)[0] for i, code in codes.items()}
-    times = Counter(names.values())
-    others = (part.words for i, part in enumerate(made) if i not in codes)
-    loose = frozenset[str]().union(*others)  # in macros, or declared ahead: no call is looked for there
+    others = [part for i, part in enumerate(made) if i not in codes]
+    loose = frozenset[str]().union(*(part.words for part in others))  # macros, or ahead: no call is looked for there
+    outer = frozenset[str]().union(*(part.names for part in others))
+    numbers = {name: numbers[name] for name in numbers.keys() - macros(others)}
     has_one = has_one_number([code for i, code in codes.items() if SURFACE in made[i].words])
     of_surface = numbers.get("surface") if has_one else None
     numbers = constants(made, numbers)
     lends = BUILT_IN | {names[i] for i in codes if gives_away(codes[i])}
-    entries = {"main"} if "main" in times else times.keys() - {
+    entries = {"main"} if "main" in names.values() else set(names.values()) - {
         name for code in codes.values() for name, _ in called(code)}
     given: dict[str, Given] = {}
     for i in reversed(codes):
         name = names[i]
         if name not in given and name not in entries | loose:
             continue  # nothing calls it
-        is_sure = times[name] == 1 and name not in entries | loose
-        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends)
+        is_sure = name not in entries | loose
+        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends, outer)
         made[i], handed = followed(made[i], tuple(has.items()))
         for callee, values in handed:
             given[callee] = either(given[callee], values) if callee in given else values

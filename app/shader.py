@@ -307,6 +307,7 @@ def catalogue() -> dict[str, tuple[str, Signature]]:
     return found
 
 
+@lru_cache(256)
 def uniforms(text: str) -> dict[str, str]:
     """The uniforms a text declares: name -> type."""
     code = "\n".join(strip_comments(text.split("\n")))

@@ -129,6 +129,18 @@ def test_the_picture_follows_and_the_last_good_one_stays(ctx):
     stage.release()
 
 
+def test_a_formula_that_only_a_scene_can_run_is_refused(ctx):
+    """Numbers and plots are made of it too, and there is no eye."""
+    found, known = step(STEP), edit.functions(step(STEP))
+    text = known["d_beckmann"].text.replace("{", "{ m *= length(camera_position);", 1)
+    stage = Stage(ctx, edit.source_of(found))
+    with pytest.raises(Problem, match=r"^your d_beckmann, line 1: .*camera_position"):
+        stage.rewrite(edit.overrides({"d_beckmann": text}, known, edit.source_of(found)))
+    own = known["shade"].text.replace("{", "{ float far = length(camera_position);", 1)
+    stage.rewrite(edit.overrides({"shade": own}, known, edit.source_of(found)))
+    stage.release()
+
+
 def test_a_scenes_own_function_changes_no_number():
     found, values, _ = changed("surface_point", "{", "{ ")
     assert values[EDITED] == () and {n.whose for n in numbers(found.step, values)} == {"the course's"}

@@ -9,6 +9,7 @@ import pytest
 
 from app import optics
 from app.gpu.evaluate import MAX_CORNERS, evaluate
+from app.paths import ROOT
 from app.problem import Problem, Usage
 from app.stress.domain import cube
 from tests.stage_help import is_alive, watch
@@ -181,3 +182,12 @@ def test_evaluating_needs_neither_vtk_nor_a_window():
         print(*{"vtk", "vtkmodules", "pyvista", "imgui_bundle", "trimesh", "pyrender", "PIL"} & set(sys.modules))
     """)
     assert loaded.strip() == ""
+
+
+@pytest.mark.parametrize(("given", "found"), [(None, "nopt"), ("", ""), ("no_aos_sampling", "no_aos_sampling")])
+def test_mesa_is_asked_to_compile_quickly_unless_told_otherwise(given, found, monkeypatch):
+    monkeypatch.delenv("GALLIVM_PERF", raising=False)
+    if given is not None:
+        monkeypatch.setenv("GALLIVM_PERF", given)
+    code = "import os, app; print(os.environ['GALLIVM_PERF'])"
+    assert subprocess.check_output([sys.executable, "-c", code], text=True, cwd=ROOT).rstrip("\n") == found

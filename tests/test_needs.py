@@ -10,11 +10,12 @@ from app import needs, readouts
 from app.catalog import step, steps
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source, programs
-from app.lesson import Term
+from app.lesson import Scene, Surface, Term
 from app.paths import ROOT
 from app.readouts import numbers
-from app.state import defaults
+from app.state import View, defaults
 from app.theme import THEMES
+from app.viewer.scene_panel import ScenePanel
 from tests.window import drive, frames, until
 
 
@@ -58,6 +59,24 @@ def test_a_scene_looks_the_same_with_what_it_needs(name, ctx):
         pictures.append(stage.picture.pixels().copy())
     stage.release()
     assert np.array_equal(*pictures) and pictures[0].std() > 5
+
+
+def test_another_choice_needs_other_values(ctx):
+    """A picture is drawn again for a value that it reads at what is chosen now, and for no other."""
+    glsl = ("uniform int kind;\nuniform float width;\nuniform float radius;\n"
+            "vec3 surface_point(int surface, vec2 s) { return vec3((kind == 0 ? width : radius) * s, 0.0); }\n"
+            "vec3 shade(Surface s) { return vec3(0.5); }")
+    panel = ScenePanel(None)
+    panel.stage = stage = Stage(ctx, Source(Scene(glsl, surfaces=(Surface("square"),), decided=("kind",))))
+
+    def shown(**values: float) -> tuple:
+        stage.decide(values)
+        return panel.shown(values, (64, 48), View(0, 0, 4), THEMES["dark"])
+
+    for kind, reads, other in ((0, "width", "radius"), (1, "radius", "width"), (0, "width", "radius")):
+        now = {"kind": kind, "width": 1.0, "radius": 1.0}
+        assert shown(**now | {other: 2.0}) == shown(**now) != shown(**now | {reads: 2.0})
+    stage.release()
 
 
 def test_only_the_numbers_that_change_are_computed_again(monkeypatch):

@@ -1,19 +1,23 @@
 """Text without what is not run: what is known, where it is carried, and that every picture stays what it was."""
 
+import moderngl
 import numpy as np
 import pytest
 
 from app.catalog import step, steps
 from app.export.still import data
+from app.gpu.context import pixel
 from app.gpu.scene_programs import ScenePrograms
 from app.gpu.scene_texts import SceneTexts
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Programs, Source
+from app.gpu.uniforms import give
 from app.pruning import decide
 from app.shader import Source as Text
 from app.shader import blocks_of
 from app.state import defaults
 from app.theme import THEMES
+from tests.random_glsl import KNOWN, Writer
 
 
 def shortened(text: str, **known: int | frozenset[int]) -> str:
@@ -93,10 +97,15 @@ def test_a_call_that_is_not_run_tells_nothing():
     ("int at = kind - 9; if (at / 2 == -2) a(); else b();", False),
     ("int at = unknown; if (at == 4) a(); else b();", False),
     ("int THREE = 5; if (THREE == 5) a(); else b();", False),
+    ("{ int width = 2; } if (width > 1) a(); else b();", False),  # GLSL takes 1 as 1.0 there
+    ("int other, kind; kind = f(); if (kind == 4) a(); else b();", False),
+    ("int SOME = 3; if (SOME == 3) a(); else b();", False),  # it may stand for anything
+    ("if (CHOSEN == 2) a(); else b();", False),  # one of two is compiled
 ])
 def test_a_variable_that_is_set_once_is_known(code, is_known):
-    text = ("uniform int kind;\nconst int THREE = 3;\nvoid sets(inout int what) { what = 7; }\n"
-            f"void main() {{ {code} }}")
+    text = ("uniform int kind;\nuniform float width;\n#define SOME kind\nconst int THREE = 3;\n"
+            "#ifdef NO\nconst int CHOSEN = 2;\n#else\nconst int CHOSEN = 3;\n#endif\n"
+            f"void sets(inout int what) {{ what = 7; }}\nvoid main() {{ {code} }}")
     made = shortened(text, kind=4)
     assert "a();" in made and ("b();" not in made) == is_known
 
@@ -113,14 +122,35 @@ def test_of_some_surfaces_what_holds_for_all_is_decided(condition, left):
     assert ("if (" in made) == (left == "if") and left in made
 
 
-def test_a_parameter_that_is_set_is_unknown():
-    text = "uniform int kind;\nfloat f(int k) { k = 2; return k == 1 ? a() : b(); }\nvoid main() { x = f(kind); }"
+@pytest.mark.parametrize("sets", ["k = 2;", "k++;", "--k;", "other(k);", "if (x > 1.0) k -= 1;"])
+def test_a_parameter_that_is_set_is_unknown(sets):
+    text = ("uniform int kind;\nvoid other(out int what) { what = 2; }\n"
+            f"float f(int k) {{ {sets} return k == 1 ? a() : b(); }}\nvoid main() {{ x = f(kind); }}")
     assert "? a() : b()" in shortened(text, kind=1)
+
+
+def test_of_functions_of_one_name_what_all_calls_give_is_known():
+    text = ("uniform int kind;\nfloat f(int k) { return k == 1 ? a() : b(); }\n"
+            "float f(float k, int j) { return j == 1 ? c() : d(); }\nfloat f(float j) { return e(); }\n"
+            "void main() { x = f(kind) + f(2.0); }")
+    assert "? a() : b()" in shortened(text, kind=1)
+    assert "? a() : b()" in shortened(text.replace("f(2.0)", "f(2.0, kind)"), kind=1)
 
 
 def test_what_a_macro_calls_is_left_alone():
     text = ("uniform int kind;\n#define CALL f(3)\nfloat f(int kind) { return kind == 1 ? a() : b(); }\n"
             "float h() { return f(kind) + CALL; }")
+    assert "a() : b()" in shortened(text, kind=1)
+
+
+def test_what_a_macro_stands_for_is_unknown():
+    text = "uniform int kind;\nfloat f() { return kind == 1 ? a() : b(); }"
+    assert "b()" not in shortened(text, kind=1) and "a() : b()" in shortened(f"#define kind 2\n{text}", kind=1)
+
+
+def test_what_only_a_macro_leads_to_still_calls():
+    text = ("uniform int kind;\n#define CALL g()\nfloat f(int k) { return k == 1 ? a() : b(); }\n"
+            "float g() { return f(3); }\nvoid main() { x = f(kind) + CALL; }")
     assert "a() : b()" in shortened(text, kind=1)
 
 
@@ -168,3 +198,32 @@ def test_every_picture_and_point_is_that_of_the_whole_text(found, ctx):
     assert np.allclose(probes, whole_probes, atol=1e-5)
     assert anchors.keys() == whole_anchors.keys() and all(np.allclose(anchors[one], whole_anchors[one], atol=1e-5)
                                                           for one in anchors)
+
+
+# --- at random -------------------------------------------------------------------------------------------------------
+def values_of(ctx, text: str, known: dict[str, int]) -> np.ndarray:
+    use = ctx.program(vertex_shader=f"#version 330 core\n{text}", varyings=("value",))
+    give(use, **known)
+    places = [(ctx.buffer(np.array([0.0, 1.5, 3.0], "f4")), "1f", "place")] if "place" in use else []
+    array, out = ctx.vertex_array(use, places), ctx.buffer(reserve=12)
+    pixel(ctx).use()
+    array.transform(out, moderngl.POINTS, 3)
+    found = np.frombuffer(out.read(), "f4")
+    for one in (array, out, *(place[0] for place in places), use):
+        one.release()
+    return found
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_random_program_computes_the_same_without_what_is_not_run(seed, ctx):
+    random, shorter = np.random.default_rng(seed), 0
+    for i in range(20):
+        text = Writer(1000 * seed + i).program()
+        known = {name: int(random.integers(0, 5)) for name in KNOWN}
+        several = frozenset((known["surface"], *random.integers(0, 7, 2).tolist()))
+        told = known | ({"surface": several} if i % 2 else {})
+        blocks = decide(list(blocks_of(Text(text, "random"))), told)
+        made = "\n".join(line.text for part in blocks for line in part.lines)
+        np.testing.assert_allclose(values_of(ctx, made, known), values_of(ctx, text, known), rtol=1e-5, err_msg=text)
+        shorter += len("".join(made.split())) < 0.9 * len("".join(text.split()))
+    assert shorter >= 5

@@ -89,13 +89,6 @@ def column(function: str, arg: shader.Argument, args: dict) -> np.ndarray:
     return data
 
 
-def compiled(function: str, overrides: shader.Overrides, ctx: moderngl.Context) -> None:
-    """A Problem where a twin made of these texts does not compile."""
-    include, signature = find(function, None)
-    with ctx:
-        linked(ctx, assembled_with(point_program(signature, include, None)[0], function, dict(overrides)), overrides)
-
-
 def assembled_with(source: str, function: str, overrides: dict[str, shader.Source] | None) -> shader.Assembled:
     """The text to compile; one with loops of the user's also tells which of them was left."""
     assembled = shader.assemble(source, function, header=shader.DESKTOP, overrides=overrides)

@@ -19,11 +19,16 @@ MANY = 8  # surfaces for which each is worth a program of its own: they are comp
 
 @dataclass(frozen=True)
 class Made:
-    """Programs by what they are called, the texts of those with a loop of the user's, what draws each surface."""
+    """Programs by what they are called, their texts, those with a loop of the user's, what draws each surface."""
 
     programs: dict[str, moderngl.Program] = field(default_factory=dict)
+    texts: Programs = field(default_factory=dict)
     watched: Programs = field(default_factory=dict)
     drawn_by: dict[int, str] = field(default_factory=dict)
+
+    def __or__(self, more: "Made") -> "Made":
+        return Made(self.programs | more.programs, self.texts | more.texts, self.watched | more.watched,
+                    self.drawn_by | more.drawn_by)
 
 
 class ScenePrograms:
@@ -86,8 +91,8 @@ class ScenePrograms:
         self.texts.source, self.others = replace(self.source, overrides=overrides), {}
         try:
             with self.ctx:
-                if typed := typed_alone(self.source):  # a mistake counts also where it is not chosen now
-                    program(self.ctx, *typed, (), self.passing)
+                for pair in typed_alone(self.source):  # a mistake counts also where it is not chosen now
+                    program(self.ctx, *pair, (), self.passing)
                 self.compile()
             trial()
             runs = True
@@ -115,7 +120,7 @@ class ScenePrograms:
     def add(self, name: str) -> None:
         """One more kind of program, for all surfaces."""
         if name not in self.made.programs:
-            self.made.programs.update(self.of({name: self.pair(name)}, {}).programs)
+            self.made = self.made | self.of({name: self.pair(name)}, {})
 
     def shared(self) -> dict[str, tuple[int, ...]]:
         """Which surfaces share a program, by what it is called.
@@ -153,15 +158,13 @@ class ScenePrograms:
         for i in () if self.one_program else self.made.drawn_by:
             if not self.has_own(i):
                 own = f"{program_of(self.scene.surfaces[i])} {i}"
-                more = self.of({own: self.pair(program_of(self.scene.surfaces[i]), (i,))}, {i: own})
-                self.made = Made(self.made.programs | more.programs, self.made.watched | more.watched,
-                                 self.made.drawn_by | more.drawn_by)
+                self.made = self.made | self.of({own: self.pair(program_of(self.scene.surfaces[i]), (i,))}, {i: own})
                 return True
         return False
 
     def of(self, wanted: Programs, drawn_by: dict[int, str]) -> Made:
         """The programs of these texts."""
-        made = Made(drawn_by=drawn_by)
+        made = Made(texts=wanted, drawn_by=drawn_by)
         passing = self.passing if self.source.overrides or self.others else None
         for called, pair in wanted.items():
             vertex, fragment = pair

@@ -38,6 +38,7 @@ OPTIONAL = {  # what a scene may define: text -> the functions, and what stands 
     },
     "stage/values.frag": {"vec3 shading_normal": "(Surface s) { return s.normal; }"},
 }
+FORMULAS = ("optics/", "core/")  # below glsl/: each file is whole without a scene
 Pair = tuple[shader.Assembled, shader.Assembled | None]
 Programs = dict[str, Pair]
 
@@ -100,16 +101,23 @@ def included(scene: Scene, file: str, first: int, overrides: shader.Overrides) -
     return own | dict(overrides)
 
 
-def typed_alone(source: Source) -> tuple[shader.Assembled, shader.Assembled] | None:
-    """A program of the functions that are being typed, with all they call, whatever is chosen now: to be compiled
-    for its mistakes, and it draws nothing."""
-    names = tuple(name.split()[-1] for name, text in source.overrides if text.is_own)
-    if not names:
-        return None
-    own = included(source.scene, source.file, source.first, source.overrides)
-    text = '#include "stage/surface.glsl"\n#include "scene"\nvoid main() {}'
-    return (shader.assemble("void main() {}", "the stage"),
-            shader.assemble(text, "the stage", entry=("main", *names), overrides=own))
+def typed_alone(source: Source) -> list[Pair]:
+    """Programs of the functions that are being typed, with all they call, whatever is chosen now: to be compiled for
+    their mistakes, and they draw nothing. A formula's is made of its file, as for a number; another's of the scene."""
+    files = {name: include for name, text in source.overrides if text.is_own
+             for include, whole in source.overrides if f'#include "{name}"' in whole.text}
+    own, idle = included(source.scene, source.file, source.first, source.overrides), "void main() {}"
+    found: list[Pair] = []
+    for is_formula in (True, False):
+        mine = {name: include for name, include in files.items() if include.startswith(FORMULAS) == is_formula}
+        if not mine:
+            continue
+        needs = dict.fromkeys(mine.values()) if is_formula else ("stage/surface.glsl", "scene")
+        text = "\n".join([*(f'#include "{one}"' for one in needs), idle])
+        entry = "main", *(name.split()[-1] for name in mine)
+        pair = (shader.assemble(text, "the stage", entry=entry, overrides=own), shader.assemble(idle, "the stage"))
+        found.append(pair if is_formula else pair[::-1])
+    return found
 
 
 def reads(source: Source) -> tuple[str, ...]:

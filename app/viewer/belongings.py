@@ -9,7 +9,6 @@ from app import edit, leaving, maps, tables
 from app.board.board_step import MOST, name_of
 from app.board.models import FILES
 from app.catalog import BOARD, LoadedStep
-from app.gpu.evaluate import compiled
 from app.gpu.stage import Stage
 from app.gpu.stage_text import Source
 from app.gpu.watch import watch
@@ -180,8 +179,6 @@ class Belongings:
             for name, text in texts.items():
                 edit.check(text, known[name])
             stage.rewrite(edit.overrides(texts, known, self.source), lambda: self.try_out(stage))
-            for function, overrides in edit.twins(found, texts):
-                compiled(function, overrides, self.app.ctx)
         except Problem as problem:
             self.wrong = str(problem)
         else:

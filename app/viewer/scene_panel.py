@@ -34,7 +34,7 @@ class ScenePanel:
         self.moved = 0.0
         self.picked: tuple[Pick, ImVec2] | None = None
         self.frames_drawn = 0
-        self.needed: tuple = (None, frozenset())  # by the stage's source
+        self.needed: tuple = (None, {}, frozenset())  # by the stage's source and choices
         self.corner, self.room = ImVec2(), ImVec2()  # where the picture lies in the window
 
     # --- the picture -----------------------------------------------------------------------------------------------
@@ -51,10 +51,7 @@ class ScenePanel:
         scale = imgui.get_io().display_framebuffer_scale
         size = max(16, int(room.x * scale.x)), max(16, int(room.y * scale.y))
         camera = view.camera(self.stage.scene.camera)
-        if self.needed[0] is not self.stage.source:  # another step, or another text of it
-            self.needed = self.stage.source, needs.drawn(self.stage.scene, self.stage.own.texts.programs(None))
-            self.is_settled = False
-        wanted = size, needs.key(values, self.needed[1]), view, theme.name
+        wanted = self.shown(values, size, view, theme)
         changed = wanted != self.drawn
         # between two keys nothing rests: each kind of picture compiles a typed text once more
         rest = not (changed or self.is_fine or self.app.editor.typed_at or imgui.is_mouse_down(0))
@@ -70,7 +67,7 @@ class ScenePanel:
                 self.faults = self.stage.picture.faults()
             self.stage.draw(values, camera, size, theme, fine=rest, counted=False)
             self.frames_drawn += 1
-            self.drawn = wanted
+            self.drawn = self.shown(values, size, view, theme)  # another choice has other needs
             self.app.ctx.screen.use()
         elif self.is_fine and not self.is_settled and not imgui.is_mouse_down(0):
             self.is_settled = not self.stage.settle(values, camera, theme)
@@ -87,6 +84,16 @@ class ScenePanel:
         if not self.app.session.frozen:
             self.hand(corner, room, values, view, theme)
         self.card(theme)
+
+    def shown(self, values: dict, size: tuple[int, int], view: View, theme: Theme) -> tuple:
+        """All that the picture shows: it is drawn again when this changes."""
+        assert self.stage is not None
+        own, source = self.stage.own, self.stage.source
+        if self.needed[0] is not source:  # another step, or another text of it
+            self.is_settled = False
+        if self.needed[0] is not source or self.needed[1] != own.choice:
+            self.needed = source, own.choice, needs.drawn(self.stage.scene, own.made.texts) | own.seen.keys()
+        return size, needs.key(values, self.needed[2]), view, theme.name
 
     def find_points(self, values: dict) -> dict[str, np.ndarray]:
         assert self.stage is not None
