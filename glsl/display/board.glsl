@@ -127,8 +127,9 @@ vec3 board_colour(Surface s) {
     }
     vec3 n = board_normal(s), l = kind == BALL ? s.value.xyz : lamp(), v = eye();
     vec3 colour = shows == 0 || shows >= 12 ? lit(which, n, l, v) : taken_apart(which, n, l, v);
+    if (kind == BALL && which == model) return colour;
     float ring = abs(distance(n, picked_frame(theta_v, turned)[2]) - 0.14);
-    return kind == BALL && which == model ? colour : mix(palette[COLOUR_N], colour, smoothstep(0.02, 0.04, ring));
+    return mix(palette[COLOUR_N], colour, smoothstep(0.02, 0.04, ring));
 }
 
 vec3 board_mark(int mark, float t) {

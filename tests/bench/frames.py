@@ -18,6 +18,7 @@ SIZE = (512, 512)
 EDITED = ("microfacets/cook_torrance", "d_beckmann"), ("microfacets/cook_torrance", "shade"), (
     "plausible_shading/board", "d_beckmann"), ("plausible_shading/everything", "d_beckmann"), (
     "board/cook_torrance", "d_beckmann"), ("board/cook_torrance+oren_nayar+phong", "d_beckmann")
+TYPED = {"d_beckmann": "m *= 1.0 + {}e-5;", "shade": "s.v *= 1.0 + {}e-5;"}  # each time another formula
 ASKED_OF_A_KEY = 100.0
 FLIPPED = {"lights/area_sampled": "sampling", "lights/area_work": "sampling", "plausible_shading/board": "shows"}
 ASKED, ASKED_OF_A_BALL = 3.0, 2.0
@@ -79,14 +80,18 @@ def asking(step: catalog.LoadedStep) -> Job:
 
 
 def edited(step: catalog.LoadedStep, name: str) -> Job:
-    """From a key to the picture: each time another text, checked, compiled and drawn."""
+    """From a key to the picture: each time another text, checked, compiled and drawn; as at rest, when every surface
+    has a program of its own."""
     known, source, values = edit.functions(step), edit.source_of(step), defaults(step)
     values |= step.derived(values)
     values |= data(step, values)
-    stage, numbers = Stage(context(), source, values.get("triangles"), values), count()
+    stage, numbers = Stage(context(), source, values.get("triangles"), values), count(1)
+    stage.draw(values, step.step.scene.camera, SIZE, THEMES["dark"], False, counted=False)
+    while stage.settle(values, step.step.scene.camera, THEMES["dark"]):
+        pass
 
     def key() -> None:
-        text = known[name].text.replace("{", f"{{ float key = {next(numbers)}.0;", 1)
+        text = known[name].text.replace("{", f"{{ {TYPED[name].format(next(numbers))}", 1)
         edit.check(text, known[name])
         stage.rewrite(edit.overrides({name: text}, known, source))
         stage.draw(values, step.step.scene.camera, SIZE, THEMES["dark"], False, counted=False)
