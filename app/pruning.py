@@ -52,13 +52,13 @@ def decide(found: list[Block], known: Mapping[str, int | Numbers]) -> list[Block
     lends = BUILT_IN | {names[i] for i in codes if gives_away(codes[i])}
     entries = {"main"} if "main" in names.values() else set(names.values()) - {
         name for code in codes.values() for name, _ in called(code)}
+    asked = entries | loose  # by who knows what
     given: dict[str, Given] = {}
     for i in reversed(codes):
         name = names[i]
-        if name not in given and name not in entries | loose:
+        if name not in given and name not in asked:
             continue  # nothing calls it
-        is_sure = name not in entries | loose
-        has = own(made[i], given[name] if is_sure else (), numbers, of_surface, lends, outer)
+        has = own(made[i], () if name in asked else given[name], numbers, of_surface, lends, outer)
         made[i], handed = followed(made[i], tuple(has.items()))
         for callee, values in handed:
             given[callee] = either(given[callee], values) if callee in given else values

@@ -1,6 +1,7 @@
 """GLSL edited live: what may be edited, what a text changes, what is said of a wrong one, what is kept. No window."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,7 +10,9 @@ from app import badges, edit, own_models, shader
 from app.board.models import opened
 from app.catalog import step, steps
 from app.edit import EDITED
+from app.gpu.context import program
 from app.gpu.stage import Stage
+from app.gpu.stage_text import typed_alone
 from app.optics import twin
 from app.plots.sweep import Sweep
 from app.problem import Problem, Usage
@@ -127,6 +130,19 @@ def test_the_picture_follows_and_the_last_good_one_stays(ctx):
     assert np.array_equal(picture(), first)
     assert not stage.own.passing  # what was edited is released
     stage.release()
+
+
+@pytest.mark.parametrize("found", steps(), ids=lambda found: found.id)
+def test_every_function_of_a_step_may_be_typed(found, ctx):
+    """The course's own text of it compiles where one that is typed has to: a formula's in its file, without a scene."""
+    known, source, made = edit.functions(found), edit.source_of(found), {}
+    for name, function in known.items():
+        typed = replace(source, overrides=edit.overrides({name: f"{function.text}\n"}, known, source))
+        (pair,) = typed_alone(typed)
+        assert any(name in part.kept for part in pair)
+        program(ctx, *pair, (), made)
+    for use in made.values():
+        use.release()
 
 
 def test_a_formula_that_only_a_scene_can_run_is_refused(ctx):

@@ -112,8 +112,8 @@ def typed_alone(source: Source) -> list[Pair]:
         mine = {name: include for name, include in files.items() if include.startswith(FORMULAS) == is_formula}
         if not mine:
             continue
-        needs = dict.fromkeys(mine.values()) if is_formula else ("stage/surface.glsl", "scene")
-        text = "\n".join([*(f'#include "{one}"' for one in needs), idle])
+        needs = [*([] if is_formula else ["stage/surface.glsl", "scene"]), *mine.values()]
+        text = "\n".join([*(f'#include "{one}"' for one in dict.fromkeys(needs)), idle])
         entry = "main", *(name.split()[-1] for name in mine)
         pair = (shader.assemble(text, "the stage", entry=entry, overrides=own), shader.assemble(idle, "the stage"))
         found.append(pair if is_formula else pair[::-1])
